@@ -1,0 +1,218 @@
+// The scene: plain values in SI units, as the user wrote them and as `check_scene` accepted them.
+// Nobody writes to it after it was read. Vectors have as many entries as the scene has dimensions.
+#pragma once
+
+#include <geodrop/error.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace geodrop {
+
+using Point = std::vector<double>;  ///< coordinates or components [m, m/s, ...], size = dimension
+
+// --- Shapes ------------------------------------------------------------------------------------
+struct BoxShape {
+  Point lower, upper;  ///< [m]
+};
+struct EllipseShape {
+  Point centre;           ///< [m]
+  Point semi_axes;        ///< [m]
+  double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes [degree]
+};
+struct PolygonShape {
+  std::vector<Point> points;  ///< [m], simple polygon, either orientation
+};
+struct HalfPlaneShape {
+  Point point;   ///< a point of the boundary [m]
+  Point normal;  ///< points out of the body
+};
+using Shape = std::variant<BoxShape, EllipseShape, PolygonShape, HalfPlaneShape>;
+
+// --- Materials ---------------------------------------------------------------------------------
+/// Newtonian, weakly compressible: p = K (rho / rho0 - 1), deviator 2 mu dev(D).
+struct NewtonianSpec {
+  double density = 0;       ///< at zero pressure [kg/m3]
+  double bulk_modulus = 0;  ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
+  double viscosity = 0;     ///< dynamic [Pa s]
+};
+/// Hypoelastic with logarithmic strain and a rotated (Hughes-Winget) Cauchy stress.
+struct LinearElasticSpec {
+  double density = 0;          ///< [kg/m3]
+  double youngs_modulus = 0;   ///< [Pa]
+  double poissons_ratio = 0;   ///< [-]
+};
+/// Fluid in the pores of an undrained soil: pore pressure rate = -(K_f / n) div v.
+struct UndrainedSpec {
+  double porosity = 0;            ///< [-]
+  double fluid_bulk_modulus = 0;  ///< [Pa]
+};
+/// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
+struct MohrCoulombSpec {
+  double density = 0;              ///< of the mixture [kg/m3]
+  double youngs_modulus = 0;       ///< [Pa]
+  double poissons_ratio = 0;       ///< [-]
+  double cohesion = 0;             ///< [Pa]
+  double friction_angle_deg = 0;   ///< [degree]
+  double dilatancy_angle_deg = 0;  ///< [degree]
+  double tension_cutoff = 0;       ///< largest principal effective stress [Pa], at most c cot(phi)
+  std::optional<UndrainedSpec> undrained;  ///< empty: drained
+};
+struct MaterialSpec {
+  std::string name;
+  std::variant<NewtonianSpec, LinearElasticSpec, MohrCoulombSpec> model;
+  SourceRef at;
+};
+
+// --- Initial stress ----------------------------------------------------------------------------
+/// Still fluid below `surface`; p = K (exp(rho0 g d / K) - 1) at depth d, the exact weakly compressible column.
+struct HydrostaticSpec {
+  std::string fluid;   ///< material name of a Newtonian fluid
+  double surface = 0;  ///< level of the free surface [m]
+};
+/// Zero stress at the start.
+struct ZeroStressSpec {};
+/// Soil at rest below its own level surface, under a fluid if `fluid` is given.
+struct K0StressSpec {
+  double surface = 0;                    ///< level of the soil surface [m]
+  double k0 = 0;                         ///< horizontal over vertical effective stress [-]
+  std::optional<HydrostaticSpec> fluid;  ///< gives overburden and pore pressure
+};
+/// Isotropic total stress equal to the pressure of the still fluid (a drained bag: effective stress -p I; undrained: pore pressure p).
+struct FluidPressureSpec {
+  HydrostaticSpec fluid;
+};
+using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec>;
+
+// --- Bodies, membranes -------------------------------------------------------------------------
+/// Where the mean stress of a body acts from: the cell average (cures locking and noise) or each particle.
+enum class PressureSupport { cell, particle };
+
+struct BodySpec {
+  std::string name;
+  std::string material;
+  Shape shape;
+  std::vector<std::string> minus;       ///< bodies whose shapes are cut out of this one
+  int particles_per_cell_axis = 2;      ///< particles per cell and axis [-]
+  double jitter = 0;                    ///< random offset, fraction of the particle spacing [-]
+  std::uint64_t jitter_seed = 0;
+  Point velocity;                       ///< at the start [m/s]
+  double velocity_mode = 0;             ///< amplitude of a named initial field [m/s], see `initial_mode`
+  std::string initial_mode;             ///< "" or "bar_first_mode"
+  InitialStress initial_stress;
+  PressureSupport pressure = PressureSupport::cell;
+  int layers = 1;                       ///< horizontal bands that colour the picture
+  double shift_speed = 0;               ///< v0 of particle shifting [m/s]
+  bool shift = false;                   ///< particle shifting (fluids only)
+  SourceRef at;
+};
+
+struct MembraneSpec {
+  std::string name;
+  std::string body;                ///< lies on this body's outline
+  std::vector<Point> points;       ///< polyline [m]; empty: the whole outline, closed
+  bool closed = true;
+  double axial_stiffness = 0;      ///< J [N/m]
+  double mass_per_area = 0;        ///< [kg/m2]
+  double strength = 0;             ///< [N/m]
+  double slack = 0;                ///< rest length / drawn length - 1 [-]
+  double segments_per_cell = 4;    ///< spacing of nodes = h / segments_per_cell
+  int averaging_segments = 2;      ///< half width w of the box mean of strain and of force
+  SourceRef at;
+};
+
+// --- Numerics ----------------------------------------------------------------------------------
+enum class Basis { bspline2 };
+enum class WallKind { slip, no_slip };
+enum class Transfer { apic, blend };
+
+struct GridSpec {
+  Point lower, upper;  ///< domain [m]
+  double spacing = 0;  ///< h [m]
+  Basis basis = Basis::bspline2;
+};
+struct WallsSpec {
+  std::vector<WallKind> lower, upper;  ///< per axis
+};
+struct SolverSpec {
+  Transfer transfer = Transfer::apic;
+  double blend_rate = 0;    ///< lambda [1/s] of Transfer::blend
+  double courant = 0.5;     ///< C of dt = C h / (c_eff + |v|max)
+  double damping_rate = 0;  ///< mass-proportional damping of particle velocity [1/s]
+};
+struct TimeSpec {
+  double end = 0;  ///< [s]
+};
+struct OutputSpec {
+  double frame_interval = 0;    ///< time between VTU frames [s]
+  double history_interval = 0;  ///< time between rows of history.csv [s]
+  bool compress = false;        ///< zlib in VTU files
+};
+
+// --- What is measured --------------------------------------------------------------------------
+/// A massless point that moves with the grid velocity; columns position_*_m, displacement_*_m, velocity_*_m_s.
+struct TracerSpec {
+  std::string name;
+  Point position;  ///< [m]
+};
+/// rms over the particles of a body of pressure minus still-fluid pressure; column pressure_error_rms_Pa.
+struct HydrostaticProbeSpec {
+  std::string name;
+  std::string body;
+  HydrostaticSpec still;
+};
+struct ProbeSpec {
+  std::variant<TracerSpec, HydrostaticProbeSpec> probe;
+  SourceRef at;
+};
+
+/// How a column of history.csv becomes one number.
+enum class Reduction { last, min, max, mean, rms, percentile, period, first_time_below, rms_difference, r_squared };
+
+/// A named result of the run: `reduce` applied to `column` over rows with from <= t <= to, times `scale`.
+struct ResultSpec {
+  std::string name;            ///< ends in its unit, e.g. fall_velocity_max_m_s
+  std::string column;          ///< of history.csv
+  Reduction reduce = Reduction::last;
+  double from = 0, to = 0;     ///< [s]; the whole run if the scene does not say
+  double scale = 1;
+  double percentile = 0;       ///< [0..100], for Reduction::percentile
+  double level = 0;            ///< for Reduction::first_time_below
+  std::string against;         ///< other column, for r_squared
+  std::vector<double> times;   ///< for rms_difference: compare at these times [s]
+  std::vector<double> values;  ///< ... with these values
+  SourceRef at;
+};
+/// An expectation that a run prints beside its result; met if |value - expected| <= tolerance.
+struct ExpectSpec {
+  std::string result;
+  double expected = 0;
+  double tolerance = 0;
+  std::string source;
+  SourceRef at;
+};
+
+struct Scene {
+  std::string file;      ///< path that it was read from
+  std::string title;
+  std::string question;  ///< what this case asks
+  int dimension = 2;
+  GridSpec grid;
+  WallsSpec walls;
+  Point gravity;  ///< [m/s2]
+  SolverSpec solver;
+  TimeSpec time;
+  OutputSpec output;
+  std::vector<MaterialSpec> materials;
+  std::vector<BodySpec> bodies;
+  std::vector<MembraneSpec> membranes;
+  std::vector<ProbeSpec> probes;
+  std::vector<ResultSpec> results;
+  std::vector<ExpectSpec> expect;
+  std::string as_run;  ///< the scene as TOML with overrides applied and all defaults filled in
+};
+
+}  // namespace geodrop
