@@ -1,0 +1,55 @@
+// Constitutive laws. A law sees one point, or one packet of points with the lanes as points; never an array.
+// `R` is double or a packet type (GCC vector extension); laws are written with `select`, without branches.
+#pragma once
+
+#include <geodrop/scene.hpp>
+#include <geodrop/types.hpp>
+
+#include <array>
+#include <variant>
+
+namespace geodrop {
+
+/// p = K (1/J - 1), deviator 2 mu dev(D). J = rho0 / rho.
+struct Newtonian {
+  double density;       ///< rho0 [kg/m3]
+  double bulk_modulus;  ///< K [Pa]
+  double viscosity;     ///< mu [Pa s]
+};
+
+/// Isotropic hypoelasticity in Cauchy stress.
+struct LinearElastic {
+  double density;        ///< [kg/m3]
+  double bulk_modulus;   ///< [Pa]
+  double shear_modulus;  ///< [Pa]
+};
+
+/// Elastic, perfectly plastic Mohr-Coulomb with a non-associated flow rule and a tension cut-off.
+struct MohrCoulomb {
+  double density;         ///< of the mixture [kg/m3]
+  double bulk_modulus;    ///< of the skeleton [Pa]
+  double shear_modulus;   ///< [Pa]
+  double cohesion;        ///< [Pa]
+  double sin_phi, cos_phi;
+  double sin_psi;
+  double tension_cutoff;  ///< largest principal effective stress [Pa]; <= c cot(phi)
+  double pore_stiffness;  ///< K_f / n [Pa]; 0: drained
+};
+
+using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb>;
+
+Material make_material(const MaterialSpec& spec);
+
+/// Density at zero pressure (fluid) or at the start (soil) [kg/m3].
+double reference_density(const Material& material);
+
+/// Speed of elastic compression waves, pore fluid included [m/s].
+double wave_speed(const Material& material);
+
+/// Kinematic viscosity that limits the explicit time step [m2/s]; 0 for solids.
+double kinematic_viscosity(const Material& material);
+
+/// Skempton's B of an undrained soil, (K_f/n) / (K_f/n + K'); 0 if drained.
+double skempton_b(const MohrCoulomb& soil);
+
+}  // namespace geodrop

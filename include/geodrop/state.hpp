@@ -1,0 +1,103 @@
+// The whole state of a simulation: what a checkpoint holds and what stages write. No pointers, no handles.
+#pragma once
+
+#include <geodrop/materials.hpp>
+#include <geodrop/types.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// One body: its law and its particles, one array per scalar component (structure of arrays). All arrays
+/// have `size()` entries or, where the body has no such quantity, none.
+/// Particles are kept sorted by base cell (see grid/sort_particles); `id` is the order at the start.
+template <int Dim>
+struct Body {
+  std::string name;
+  std::string material_name;
+  Material material;
+  PressureSupport pressure = PressureSupport::cell;
+  bool shift = false;      ///< particle shifting (fluids)
+  double shift_speed = 0;  ///< v0 of the shift [m/s]
+
+  std::array<Array<double>, Dim> x;             ///< position [m]
+  std::array<Array<double>, Dim> v;             ///< velocity [m/s]
+  std::array<Array<double>, Dim * Dim> affine;  ///< C, row-major: dv_a/dx_b ~ affine[a * Dim + b] [1/s]
+  Array<double> mass;                           ///< [kg], per metre of depth in 2D
+  Array<double> J;                              ///< volume ratio to the reference density [-]
+  std::array<Array<double>, stress_components<Dim>> stress;  ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
+  Array<double> pore_pressure;                  ///< undrained soil [Pa]
+  Array<double> deviatoric_strain;              ///< soil: accumulated sqrt(2/3 e:e) [-]
+  Array<std::uint32_t> id;                      ///< index at the start
+
+  // Indexed by id, so never permuted:
+  std::array<Array<double>, Dim> initial_x;  ///< [m]
+  Array<std::uint8_t> layer;                 ///< horizontal band at the start
+
+  // Written by sort_particles:
+  Array<std::uint32_t> slab_begin;  ///< first particle of each slab of the grid, one more at the end
+
+  std::size_t size() const { return mass.size(); }
+  /// Current volume of particle p [m3], per metre of depth in 2D.
+  double volume(std::size_t p) const { return mass[p] * J[p] / reference_density(material); }
+};
+
+/// Pressure of particle p of a body [Pa], compression positive, pore pressure included.
+template <int Dim>
+double mean_pressure(const Body<Dim>& body, std::size_t p);
+
+/// Tension-only membrane: a polyline of nodes with segments between neighbours (2D).
+template <int Dim>
+struct Membrane {
+  std::string name;
+  std::string body;
+  bool closed = true;
+  double axial_stiffness = 0;    ///< J [N/m]
+  double strength = 0;           ///< [N/m]
+  int averaging_segments = 0;    ///< half width of the box mean
+  std::array<Array<double>, Dim> x, v;  ///< nodes [m], [m/s]
+  Array<double> mass;            ///< nodes [kg], per metre of depth
+  Array<double> rest_length;     ///< segments [m]
+  Array<double> strain;          ///< segments, averaged, signed [-]
+  Array<double> tension;         ///< segments, averaged [N/m]
+  double tension_peak = 0;       ///< largest tension since it was last reported [N/m]
+
+  std::size_t nodes() const { return mass.size(); }
+  std::size_t segments() const { return rest_length.size(); }
+};
+
+/// Massless points that move with the grid velocity.
+template <int Dim>
+struct Tracer {
+  std::string name;
+  std::array<double, Dim> x, v, initial_x;
+};
+
+template <int Dim>
+struct State {
+  double t = 0;              ///< [s]
+  std::uint64_t step = 0;
+  double drift = 0;          ///< accumulated |v|max dt since the last sort [m]; negative: sort before the next step
+  double v_max = 0;          ///< largest particle speed [m/s]
+  std::vector<Body<Dim>> bodies;
+  std::vector<Membrane<Dim>> membranes;
+  std::vector<Tracer<Dim>> tracers;
+  Array<std::uint32_t> active_blocks;  ///< sorted; blocks of the grid that particles may touch until the next sort
+};
+
+/// Read-only view for writers, probes and checkpoints.
+template <int Dim>
+class Frame {
+ public:
+  explicit Frame(const State<Dim>& state) : state_(&state) {}
+  const State<Dim>* operator->() const { return state_; }
+  const State<Dim>& operator*() const { return *state_; }
+
+ private:
+  const State<Dim>* state_;
+};
+
+}  // namespace geodrop
