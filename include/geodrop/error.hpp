@@ -11,6 +11,7 @@ namespace geodrop {
 struct SourceRef {
   int line = 0;
   int column = 0;
+  bool operator==(const SourceRef&) const = default;
 };
 
 /// One mistake of the user: where, which key, what was found, what is allowed.

@@ -1,10 +1,12 @@
 // The scene: plain values in SI units, as the user wrote them and as `check_scene` accepted them.
 // Nobody writes to it after it was read. Vectors have as many entries as the scene has dimensions.
+// `==` compares every value, the positions in the file included.
 #pragma once
 
 #include <geodrop/error.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,18 +19,22 @@ using Point = std::vector<double>;  ///< coordinates or components [m, m/s, ...]
 // --- Shapes ------------------------------------------------------------------------------------
 struct BoxShape {
   Point lower, upper;  ///< [m]
+  bool operator==(const BoxShape&) const = default;
 };
 struct EllipseShape {
   Point centre;           ///< [m]
   Point semi_axes;        ///< [m]
   double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes [degree]
+  bool operator==(const EllipseShape&) const = default;
 };
 struct PolygonShape {
   std::vector<Point> points;  ///< [m], simple polygon, either orientation
+  bool operator==(const PolygonShape&) const = default;
 };
 struct HalfPlaneShape {
   Point point;   ///< a point of the boundary [m]
   Point normal;  ///< points out of the body
+  bool operator==(const HalfPlaneShape&) const = default;
 };
 using Shape = std::variant<BoxShape, EllipseShape, PolygonShape, HalfPlaneShape>;
 
@@ -38,17 +44,20 @@ struct NewtonianSpec {
   double density = 0;       ///< at zero pressure [kg/m3]
   double bulk_modulus = 0;  ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
   double viscosity = 0;     ///< dynamic [Pa s]
+  bool operator==(const NewtonianSpec&) const = default;
 };
 /// Hypoelastic with logarithmic strain and a rotated (Hughes-Winget) Cauchy stress.
 struct LinearElasticSpec {
   double density = 0;          ///< [kg/m3]
   double youngs_modulus = 0;   ///< [Pa]
   double poissons_ratio = 0;   ///< [-]
+  bool operator==(const LinearElasticSpec&) const = default;
 };
 /// Fluid in the pores of an undrained soil: pore pressure rate = -(K_f / n) div v.
 struct UndrainedSpec {
   double porosity = 0;            ///< [-]
   double fluid_bulk_modulus = 0;  ///< [Pa]
+  bool operator==(const UndrainedSpec&) const = default;
 };
 /// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
 struct MohrCoulombSpec {
@@ -60,11 +69,13 @@ struct MohrCoulombSpec {
   double dilatancy_angle_deg = 0;  ///< [degree]
   double tension_cutoff = 0;       ///< largest principal effective stress [Pa], at most c cot(phi)
   std::optional<UndrainedSpec> undrained;  ///< empty: drained
+  bool operator==(const MohrCoulombSpec&) const = default;
 };
 struct MaterialSpec {
   std::string name;
   std::variant<NewtonianSpec, LinearElasticSpec, MohrCoulombSpec> model;
   SourceRef at;
+  bool operator==(const MaterialSpec&) const = default;
 };
 
 // --- Initial stress ----------------------------------------------------------------------------
@@ -72,20 +83,40 @@ struct MaterialSpec {
 struct HydrostaticSpec {
   std::string fluid;   ///< material name of a Newtonian fluid
   double surface = 0;  ///< level of the free surface [m]
+  bool operator==(const HydrostaticSpec&) const = default;
 };
 /// Zero stress at the start.
-struct ZeroStressSpec {};
+struct ZeroStressSpec {
+  bool operator==(const ZeroStressSpec&) const = default;
+};
 /// Soil at rest below its own level surface, under a fluid if `fluid` is given.
 struct K0StressSpec {
   double surface = 0;                    ///< level of the soil surface [m]
   double k0 = 0;                         ///< horizontal over vertical effective stress [-]
   std::optional<HydrostaticSpec> fluid;  ///< gives overburden and pore pressure
+  bool operator==(const K0StressSpec&) const = default;
 };
 /// Isotropic total stress equal to the pressure of the still fluid (a drained bag: effective stress -p I; undrained: pore pressure p).
 struct FluidPressureSpec {
   HydrostaticSpec fluid;
+  bool operator==(const FluidPressureSpec&) const = default;
 };
 using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec>;
+
+// --- Initial velocity --------------------------------------------------------------------------
+/// The same velocity everywhere (also what `type = "rest"` becomes).
+struct UniformVelocitySpec {
+  Point value;  ///< [m/s]
+  bool operator==(const UniformVelocitySpec&) const = default;
+};
+/// First mode of a bar fixed at coordinate 0 and free at `length`: v = amplitude sin(pi x / (2 length)) along `axis`.
+struct BarFirstModeSpec {
+  double amplitude = 0;  ///< velocity of the free end [m/s]
+  int axis = 0;          ///< 0: x, 1: y
+  double length = 0;     ///< [m]
+  bool operator==(const BarFirstModeSpec&) const = default;
+};
+using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec>;
 
 // --- Bodies, membranes -------------------------------------------------------------------------
 /// Where the mean stress of a body acts from: the cell average (cures locking and noise) or each particle.
@@ -99,15 +130,14 @@ struct BodySpec {
   int particles_per_cell_axis = 2;      ///< particles per cell and axis [-]
   double jitter = 0;                    ///< random offset, fraction of the particle spacing [-]
   std::uint64_t jitter_seed = 0;
-  Point velocity;                       ///< at the start [m/s]
-  double velocity_mode = 0;             ///< amplitude of a named initial field [m/s], see `initial_mode`
-  std::string initial_mode;             ///< "" or "bar_first_mode"
+  InitialVelocity initial_velocity;
   InitialStress initial_stress;
   PressureSupport pressure = PressureSupport::cell;
   int layers = 1;                       ///< horizontal bands that colour the picture
   double shift_speed = 0;               ///< v0 of particle shifting [m/s]
   bool shift = false;                   ///< particle shifting (fluids only)
   SourceRef at;
+  bool operator==(const BodySpec&) const = default;
 };
 
 struct MembraneSpec {
@@ -122,6 +152,7 @@ struct MembraneSpec {
   double segments_per_cell = 4;    ///< spacing of nodes = h / segments_per_cell
   int averaging_segments = 2;      ///< half width w of the box mean of strain and of force
   SourceRef at;
+  bool operator==(const MembraneSpec&) const = default;
 };
 
 // --- Numerics ----------------------------------------------------------------------------------
@@ -133,23 +164,28 @@ struct GridSpec {
   Point lower, upper;  ///< domain [m]
   double spacing = 0;  ///< h [m]
   Basis basis = Basis::bspline2;
+  bool operator==(const GridSpec&) const = default;
 };
 struct WallsSpec {
   std::vector<WallKind> lower, upper;  ///< per axis
+  bool operator==(const WallsSpec&) const = default;
 };
 struct SolverSpec {
   Transfer transfer = Transfer::apic;
   double blend_rate = 0;    ///< lambda [1/s] of Transfer::blend
   double courant = 0.5;     ///< C of dt = C h / (c_eff + |v|max)
   double damping_rate = 0;  ///< mass-proportional damping of particle velocity [1/s]
+  bool operator==(const SolverSpec&) const = default;
 };
 struct TimeSpec {
   double end = 0;  ///< [s]
+  bool operator==(const TimeSpec&) const = default;
 };
 struct OutputSpec {
   double frame_interval = 0;    ///< time between VTU frames [s]
   double history_interval = 0;  ///< time between rows of history.csv [s]
   bool compress = false;        ///< zlib in VTU files
+  bool operator==(const OutputSpec&) const = default;
 };
 
 // --- What is measured --------------------------------------------------------------------------
@@ -157,16 +193,19 @@ struct OutputSpec {
 struct TracerSpec {
   std::string name;
   Point position;  ///< [m]
+  bool operator==(const TracerSpec&) const = default;
 };
 /// rms over the particles of a body of pressure minus still-fluid pressure; column pressure_error_rms_Pa.
 struct HydrostaticProbeSpec {
   std::string name;
   std::string body;
   HydrostaticSpec still;
+  bool operator==(const HydrostaticProbeSpec&) const = default;
 };
 struct ProbeSpec {
   std::variant<TracerSpec, HydrostaticProbeSpec> probe;
   SourceRef at;
+  bool operator==(const ProbeSpec&) const = default;
 };
 
 /// How a column of history.csv becomes one number.
@@ -177,7 +216,8 @@ struct ResultSpec {
   std::string name;            ///< ends in its unit, e.g. fall_velocity_max_m_s
   std::string column;          ///< of history.csv
   Reduction reduce = Reduction::last;
-  double from = 0, to = 0;     ///< [s]; the whole run if the scene does not say
+  double from = 0;             ///< [s]
+  double to = std::numeric_limits<double>::infinity();  ///< [s]; infinite: to the end of the run
   double scale = 1;
   double percentile = 0;       ///< [0..100], for Reduction::percentile
   double level = 0;            ///< for Reduction::first_time_below
@@ -185,6 +225,7 @@ struct ResultSpec {
   std::vector<double> times;   ///< for rms_difference: compare at these times [s]
   std::vector<double> values;  ///< ... with these values
   SourceRef at;
+  bool operator==(const ResultSpec&) const = default;
 };
 /// An expectation that a run prints beside its result; met if |value - expected| <= tolerance.
 struct ExpectSpec {
@@ -193,6 +234,7 @@ struct ExpectSpec {
   double tolerance = 0;
   std::string source;
   SourceRef at;
+  bool operator==(const ExpectSpec&) const = default;
 };
 
 struct Scene {
@@ -213,6 +255,7 @@ struct Scene {
   std::vector<ResultSpec> results;
   std::vector<ExpectSpec> expect;
   std::string as_run;  ///< the scene as TOML with overrides applied and all defaults filled in
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace geodrop

@@ -1,0 +1,23 @@
+// From a TOML file to a checked `Scene`, and the reference page of all its keys.
+#pragma once
+
+#include <geodrop/scene.hpp>
+
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// Reads and checks the scene file at `path`. Each override is the text of a `--set key=value`: value is TOML (a bare
+/// word is a text, nothing removes the key); elements of lists of tables are addressed by name or by index from 0.
+/// Throws one SceneError that carries every problem found.
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The page docs/scene.md, made from the table of keys that `read_scene` checks against.
+std::string scene_reference_markdown();
+
+/// The unit in which a column of history.csv or a result is named to end, e.g. "m/s" for `fall_velocity_max_m_s` and
+/// "1" for `pressure_ratio`; empty if the name ends in no known unit.
+std::string unit_of_name(const std::string& name);
+
+}  // namespace geodrop

@@ -1,0 +1,37 @@
+// Geometry of the shapes that bodies are made of. 2D; boxes, ellipses and half-planes also answer `contains` in 3D.
+#pragma once
+
+#include <geodrop/scene.hpp>
+
+#include <vector>
+
+namespace geodrop {
+
+/// Axis-aligned box around a shape [m]; infinite for a half-plane.
+struct Bounds {
+  Point lower, upper;
+};
+
+/// True inside and on the outline.
+bool contains(const Shape& shape, const Point& x);
+
+Bounds bounds(const Shape& shape);
+
+/// Exact area [m2]; infinite for a half-plane.
+double area(const Shape& shape);
+
+/// Closed polyline, anticlockwise, first point not repeated. The points of an ellipse are evenly spaced by arc length;
+/// a box or polygon keeps its corners, and each edge is divided evenly. The spacing is the one nearest to `spacing`
+/// [m] that divides the outline (or the edge). A half-plane has no closed outline: clip it first.
+std::vector<Point> outline(const Shape& shape, double spacing);
+
+/// Length of the outline [m]; infinite for a half-plane.
+double perimeter(const Shape& shape);
+
+/// Distance of a point to the outline, from either side [m].
+double distance_to_outline(const Shape& shape, const Point& x);
+
+/// The shape itself or, for a half-plane, the polygon that it leaves of the domain (without points if nothing is left).
+Shape clip_half_plane(const Shape& shape, const Bounds& domain);
+
+}  // namespace geodrop
