@@ -1,0 +1,7 @@
+// All constitutive laws, for the kernels: each is a pure function of one point (R = double) or one packet of points.
+#pragma once
+
+#include "linear_elastic.hpp"
+#include "mohr_coulomb.hpp"
+#include "newtonian.hpp"
+#include "undrained.hpp"

@@ -1,0 +1,76 @@
+// From what the user wrote to the constants of the laws, and the numbers that the time step needs of them.
+#include <geodrop/materials.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace geodrop {
+namespace {
+
+double bulk_modulus(double youngs_modulus, double poissons_ratio) {
+  return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio));
+}
+
+double shear_modulus(double youngs_modulus, double poissons_ratio) {
+  return youngs_modulus / (2.0 * (1.0 + poissons_ratio));
+}
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+/// K + 4G/3 [Pa], of laterally confined compression.
+double confined_modulus(double bulk, double shear) { return bulk + 4.0 / 3.0 * shear; }
+
+Newtonian make(const NewtonianSpec& spec) { return {spec.density, spec.bulk_modulus, spec.viscosity}; }
+
+LinearElastic make(const LinearElasticSpec& spec) {
+  return {spec.density, bulk_modulus(spec.youngs_modulus, spec.poissons_ratio),
+          shear_modulus(spec.youngs_modulus, spec.poissons_ratio)};
+}
+
+MohrCoulomb make(const MohrCoulombSpec& spec) {
+  MohrCoulomb soil{};
+  soil.density = spec.density;
+  soil.bulk_modulus = bulk_modulus(spec.youngs_modulus, spec.poissons_ratio);
+  soil.shear_modulus = shear_modulus(spec.youngs_modulus, spec.poissons_ratio);
+  soil.cohesion = spec.cohesion;
+  soil.sin_phi = std::sin(radians(spec.friction_angle_deg));
+  soil.cos_phi = std::cos(radians(spec.friction_angle_deg));
+  soil.sin_psi = std::sin(radians(spec.dilatancy_angle_deg));
+  // The return relies on t <= c cot(phi); a value typed in with a few digits may lie just above.
+  soil.tension_cutoff = soil.sin_phi > 0 ? std::min(spec.tension_cutoff, soil.cohesion * soil.cos_phi / soil.sin_phi)
+                                         : spec.tension_cutoff;
+  soil.pore_stiffness = spec.undrained ? spec.undrained->fluid_bulk_modulus / spec.undrained->porosity : 0.0;
+  return soil;
+}
+
+double wave_modulus(const Newtonian& fluid) { return fluid.bulk_modulus; }
+double wave_modulus(const LinearElastic& solid) { return confined_modulus(solid.bulk_modulus, solid.shear_modulus); }
+double wave_modulus(const MohrCoulomb& soil) {
+  return confined_modulus(soil.bulk_modulus, soil.shear_modulus) + soil.pore_stiffness;
+}
+
+}  // namespace
+
+Material make_material(const MaterialSpec& spec) {
+  return std::visit([](const auto& model) -> Material { return make(model); }, spec.model);
+}
+
+double reference_density(const Material& material) {
+  return std::visit([](const auto& law) { return law.density; }, material);
+}
+
+double wave_speed(const Material& material) {
+  return std::visit([](const auto& law) { return std::sqrt(wave_modulus(law) / law.density); }, material);
+}
+
+double kinematic_viscosity(const Material& material) {
+  const auto* fluid = std::get_if<Newtonian>(&material);
+  return fluid ? fluid->viscosity / fluid->density : 0.0;
+}
+
+double skempton_b(const MohrCoulomb& soil) {
+  return soil.pore_stiffness / (soil.pore_stiffness + soil.bulk_modulus);
+}
+
+}  // namespace geodrop
