@@ -1,6 +1,7 @@
 // Elastic, perfectly plastic Mohr-Coulomb in effective stress: rotate, elastic trial, return in principal space.
 #pragma once
 
+#include "principal_frame.hpp"
 #include "principal_return.hpp"
 #include "strain.hpp"
 
@@ -46,6 +47,41 @@ template <class R>
   stress[1] += change.yy;
   stress[2] += change.axis;
   stress[3] += change.xy;
+}
+
+/// Product of a stress with a vector.
+template <class R>
+[[gnu::always_inline]] inline std::array<R, 3> traction(const Stress<3, R>& s, const std::array<R, 3>& n) {
+  return {s[0] * n[0] + s[3] * n[1] + s[5] * n[2], s[3] * n[0] + s[1] * n[1] + s[4] * n[2],
+          s[5] * n[0] + s[4] * n[1] + s[2] * n[2]};
+}
+
+template <class R>
+[[gnu::always_inline]] inline R dot(const std::array<R, 3>& a, const std::array<R, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The change is found in the principal frame and added outside, so that an elastic stress keeps every bit.
+template <class R>
+[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, std::array<R, 6>& stress) {
+  const PrincipalFrame<R> frame = principal_frame(stress);
+  const auto& [u, w, v] = frame;
+  const std::array<R, 3> along_u = traction<R>(stress, u), along_w = traction<R>(stress, w);
+  const AxisStress<R> change = plastic_correction<R>(
+      surface, {dot(u, along_u), dot(w, along_w), dot(u, along_w), dot(v, traction<R>(stress, v))});
+  std::array<R, 3> p, q, r;
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) {
+    p[a] = change.xx * u[a] + change.xy * w[a];
+    q[a] = change.xy * u[a] + change.yy * w[a];
+    r[a] = change.axis * v[a];
+  }
+  constexpr int row[] = {0, 1, 2, 0, 1, 0}, column[] = {0, 1, 2, 1, 2, 2};
+#pragma GCC unroll 6
+  for (int k = 0; k < 6; ++k) {
+    const int a = row[k], b = column[k];
+    stress[k] += p[a] * u[b] + q[a] * w[b] + r[a] * v[b];
+  }
 }
 
 /// Advances the effective Cauchy stress [Pa] by one step and returns sqrt(2/3 de:de) of the deviatoric strain
