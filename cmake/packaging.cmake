@@ -1,0 +1,16 @@
+# `cmake --install` and the Debian package (cpack -G DEB; needs dpkg-dev, which finds out the dependencies).
+set(share "${CMAKE_INSTALL_DATADIR}/geodrop")
+install(TARGETS geodrop)
+install(DIRECTORY cases paraview DESTINATION "${share}" PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY docs/ DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The geodrop authors <geodrop@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS paraview)
+include(CPack)

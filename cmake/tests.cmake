@@ -1,0 +1,27 @@
+# One test binary; one ctest entry per test file, named like the file: "materials/mohr_coulomb", labelled by its folder.
+find_package(doctest REQUIRED)
+
+file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.cpp")
+add_executable(geodrop_tests ${test_sources})
+target_include_directories(geodrop_tests PRIVATE tests)
+target_link_libraries(geodrop_tests PRIVATE geodrop_core doctest::doctest)
+target_compile_definitions(geodrop_tests PRIVATE "GEODROP_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\""
+                           "GEODROP_PROGRAM=\"$<TARGET_FILE:geodrop>\"")
+add_dependencies(geodrop_tests geodrop)
+
+foreach(source IN LISTS test_sources)
+  cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/tests" OUTPUT_VARIABLE relative)
+  if(relative STREQUAL "main.cpp" OR relative MATCHES "^support/")
+    continue()
+  endif()
+  string(REGEX REPLACE "\\.cpp$" "" name "${relative}")
+  string(REGEX REPLACE "/.*" "" folder "${name}")
+  add_test(NAME "${name}" COMMAND geodrop_tests "--source-file=*/tests/${relative}")
+  # ctest runs several tests at once: bound or spinning threads of two of them would fight for one core.
+  # A filter that matches no test case must not pass.
+  set_tests_properties("${name}" PROPERTIES
+    LABELS "${folder}"
+    TIMEOUT "${GEODROP_TEST_TIMEOUT}"
+    ENVIRONMENT "OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive;OMP_NUM_THREADS=2"
+    FAIL_REGULAR_EXPRESSION "test cases: +0 [|]")
+endforeach()
