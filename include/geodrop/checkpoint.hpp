@@ -1,0 +1,44 @@
+// The state in a file, bit for bit, and the hash of a state.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <geodrop/history.hpp>
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// What a run has written so far: nothing that the physics depends on, but what a resumed run must continue.
+struct OutputRecord {
+  std::vector<double> frame_times;        ///< of particles_NNNNNN.vtu, NNNNNN = index [s]
+  std::vector<std::vector<double>> rows;  ///< of history.csv
+};
+
+template <int Dim>
+struct Checkpoint {
+  State<Dim> state;
+  OutputRecord output;
+};
+
+/// XXH3 of the scene as run; a checkpoint belongs to exactly one.
+std::uint64_t scene_hash(const Scene& scene);
+
+/// XXH3 over every value of the state in storage order, as 16 hex digits. Comparable on one machine and one binary
+/// path only: fused multiply-add differs between instruction sets.
+template <int Dim>
+std::string state_hash(const State<Dim>& state);
+
+/// Writes to a temporary file and renames it, so that `path` is always a whole checkpoint. Throws RunError.
+template <int Dim>
+void write_checkpoint(const std::filesystem::path& path, const Scene& scene, const State<Dim>& state,
+                      const OutputRecord& output);
+
+/// Throws SceneError (exit code 2) that says why `path` cannot continue this scene: missing, not a checkpoint, other
+/// version, other scene, truncated, damaged.
+template <int Dim>
+Checkpoint<Dim> read_checkpoint(const std::filesystem::path& path, const Scene& scene);
+
+}  // namespace geodrop

@@ -1,0 +1,68 @@
+// Numbers that describe a frame: of one particle, of a body, of a membrane, of the whole. All sums run in a fixed
+// order, so they have the same bits for any thread count.
+#pragma once
+
+#include <array>
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+/// The axis that is called vertical in names like `highest_m`: y in 2D, z in 3D.
+template <int Dim>
+inline constexpr int vertical_axis = Dim - 1;
+
+/// Total stress of particle p [Pa], tension positive, pore pressure included; order of types.hpp.
+template <int Dim>
+std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, std::size_t p);
+
+/// Pressure [Pa] of the still, weakly compressible fluid at `depth` [m] below its surface: K (exp(rho0 g d / K) - 1),
+/// 0 above the surface. `gravity` [m/s2] is positive downwards.
+double still_pressure(const Newtonian& fluid, double gravity, double depth);
+
+/// Where a body is, how it moves, and its mean stress near its centre. NaN where no particle is near the centre.
+template <int Dim>
+struct BodyMeasures {
+  Vec<Dim> centre, velocity;   ///< of mass [m], [m/s]
+  Vec<Dim> lower, upper;       ///< extremes of particle positions [m]
+  double rotation = 0;         ///< best fit from the initial positions, about the centres [rad]; 3D: without sign
+  double velocity_rms = 0;     ///< weighted by mass [m/s]
+  double pressure_centre = 0;  ///< mean over the volume within `radius` of the centre [Pa]
+  double vertical_stress_centre = 0, horizontal_stress_centre = 0;  ///< likewise, total, tension positive [Pa]
+};
+template <int Dim>
+BodyMeasures<Dim> measure(const Body<Dim>& body, double radius);
+
+/// Tension [N/m] and size of a membrane.
+template <int Dim>
+struct MembraneMeasures {
+  double tension_max = 0, tension_mean = 0, tension_p95 = 0;  ///< over the rest length [N/m]
+  Vec<Dim> tension_max_at;                                    ///< middle of the segment [m]
+  double length = 0;                                          ///< of the line now [m]
+  double area = 0;                                            ///< enclosed [m2]; NaN if open or not plane
+  double utilisation_max = 0;  ///< tension over strength [-]; NaN if the scene gives no strength
+};
+template <int Dim>
+MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane);
+
+/// Energies [J], mass [kg], momentum [kg m/s] of everything, per metre of depth in 2D.
+template <int Dim>
+struct Totals {
+  double kinetic = 0, potential = 0;
+  double strain = 0;    ///< stored elastically in particles: fluid, skeleton, pore fluid
+  double membrane = 0;  ///< stored in membranes
+  double mass = 0;
+  Vec<Dim> momentum = Vec<Dim>::Zero();
+  double energy() const { return kinetic + potential + strain + membrane; }
+};
+template <int Dim>
+Totals<Dim> measure(const State<Dim>& state, const Point& gravity);
+
+/// Difference of a body's pressure from a still fluid's, over its particles [Pa].
+struct PressureError {
+  double rms = 0, max = 0;
+};
+template <int Dim>
+PressureError pressure_error(const Body<Dim>& body, const Newtonian& fluid, double surface, double gravity);
+
+}  // namespace geodrop
