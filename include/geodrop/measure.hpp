@@ -5,6 +5,7 @@
 #include <array>
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
+#include <vector>
 
 namespace geodrop {
 
@@ -23,8 +24,8 @@ double still_pressure(const Newtonian& fluid, double gravity, double depth);
 /// Where a body is, how it moves, and its mean stress near its centre. NaN where no particle is near the centre.
 template <int Dim>
 struct BodyMeasures {
-  Vec<Dim> centre, velocity;   ///< of mass [m], [m/s]
-  Vec<Dim> lower, upper;       ///< extremes of particle positions [m]
+  Vec<Dim> centre = Vec<Dim>::Zero(), velocity = Vec<Dim>::Zero();  ///< of mass [m], [m/s]
+  Vec<Dim> lower = Vec<Dim>::Zero(), upper = Vec<Dim>::Zero();      ///< extremes of particle positions [m]
   double rotation = 0;         ///< best fit from the initial positions, about the centres [rad]; 3D: without sign
   double velocity_rms = 0;     ///< weighted by mass [m/s]
   double pressure_centre = 0;  ///< mean over the volume within `radius` of the centre [Pa]
@@ -33,14 +34,17 @@ struct BodyMeasures {
 template <int Dim>
 BodyMeasures<Dim> measure(const Body<Dim>& body, double radius);
 
-/// Tension [N/m] and size of a membrane.
+/// Value below which `percent` of the values lie, linear between neighbours; NaN if there are none.
+double percentile(std::vector<double> values, double percent);
+
+/// Tension and size of a membrane.
 template <int Dim>
 struct MembraneMeasures {
-  double tension_max = 0, tension_mean = 0, tension_p95 = 0;  ///< over the rest length [N/m]
-  Vec<Dim> tension_max_at;                                    ///< middle of the segment [m]
+  double tension_max = 0, tension_mean = 0, tension_p95 = 0;  ///< mean over rest length, p95 over segments [N/m]
+  Vec<Dim> tension_max_at = Vec<Dim>::Zero();                 ///< middle of the segment [m]
   double length = 0;                                          ///< of the line now [m]
-  double area = 0;                                            ///< enclosed [m2]; NaN if open or not plane
-  double utilisation_max = 0;  ///< tension over strength [-]; NaN if the scene gives no strength
+  double area = 0;                                            ///< enclosed, 2D and closed only [m2]
+  double utilisation_max = 0;                                 ///< tension over strength [-]; NaN without strength
 };
 template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane);
@@ -53,7 +57,9 @@ struct Totals {
   double membrane = 0;  ///< stored in membranes
   double mass = 0;
   Vec<Dim> momentum = Vec<Dim>::Zero();
+
   double energy() const { return kinetic + potential + strain + membrane; }
+  Totals& operator+=(const Totals& other);
 };
 template <int Dim>
 Totals<Dim> measure(const State<Dim>& state, const Point& gravity);

@@ -14,6 +14,7 @@
 //     Summary summary = output.finish(Frame(state), statistics);
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <geodrop/results.hpp>
 #include <geodrop/scene.hpp>
@@ -31,7 +32,8 @@ struct RunOptions {
   std::filesystem::path directory;  ///< empty: runs/<name of the scene file>
   int threads = 1;
   bool resume = false;
-  double end = 0;  ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
+  double end = 0;              ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
+  std::string resume_command;  ///< shown when the run was stopped; empty: made from scene file and directory
 };
 
 /// How a run ended.

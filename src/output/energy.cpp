@@ -1,0 +1,124 @@
+// Energies, mass, momentum of the whole, and the error of a pressure field.
+#include <algorithm>
+#include <cmath>
+#include <geodrop/measure.hpp>
+
+#include "fixed_order_sum.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Energy of a point mass: m v^2 / 2 - m g.x.
+template <int Dim>
+void add_mass(Totals<Dim>& sums, double mass, const std::array<Array<double>, Dim>& x,
+              const std::array<Array<double>, Dim>& v, const Point& gravity, std::size_t p) {
+  sums.mass += mass;
+  for (int a = 0; a < Dim; ++a) {
+    sums.kinetic += 0.5 * mass * v[a][p] * v[a][p];
+    sums.potential -= mass * gravity[a] * x[a][p];
+    sums.momentum[a] += mass * v[a][p];
+  }
+}
+
+/// W = K (J - 1 - ln J) per reference volume: its slope -dW/dJ is the pressure K (1/J - 1). A viscous stress stores
+/// nothing.
+template <int Dim>
+double strain_energy(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
+  const double J = body.J[p];
+  return body.mass[p] / fluid.density * fluid.bulk_modulus * ((J - 1) - std::log1p(J - 1));
+}
+
+/// p^2 / 2K + s:s / 4G per current volume; in soil p and s are effective stresses.
+template <class Solid, int Dim>
+double skeleton_energy(const Solid& solid, const Body<Dim>& body, std::size_t p) {
+  const double mean = (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
+  double deviator_square = 0;
+  for (int k = 0; k < 3; ++k) deviator_square += (body.stress[k][p] - mean) * (body.stress[k][p] - mean);
+  for (int k = 3; k < stress_components<Dim>; ++k) deviator_square += 2 * body.stress[k][p] * body.stress[k][p];
+  return body.volume(p) * (mean * mean / (2 * solid.bulk_modulus) + deviator_square / (4 * solid.shear_modulus));
+}
+template <int Dim>
+double strain_energy(const LinearElastic& solid, const Body<Dim>& body, std::size_t p) {
+  return skeleton_energy(solid, body, p);
+}
+template <int Dim>
+double strain_energy(const MohrCoulomb& soil, const Body<Dim>& body, std::size_t p) {
+  const double skeleton = skeleton_energy(soil, body, p);
+  if (body.pore_pressure.empty() || soil.pore_stiffness <= 0) return skeleton;
+  const double u = body.pore_pressure[p];
+  return skeleton + body.volume(p) * u * u / (2 * soil.pore_stiffness);
+}
+
+template <int Dim>
+Totals<Dim> body_totals(const Body<Dim>& body, const Point& gravity) {
+  const auto sum = [&](const auto& law) {
+    return fixed_order_sum<Totals<Dim>>(body.size(), [&](Totals<Dim>& sums, std::size_t p) {
+      add_mass<Dim>(sums, body.mass[p], body.x, body.v, gravity, p);
+      sums.strain += strain_energy(law, body, p);
+    });
+  };
+  return std::visit(sum, body.material);
+}
+
+/// J e^2 / 2 per rest length where it is stretched, e averaged over neighbours as in the force.
+template <int Dim>
+Totals<Dim> membrane_totals(const Membrane<Dim>& membrane, const Point& gravity) {
+  Totals<Dim> sums;
+  for (std::size_t i = 0; i < membrane.nodes(); ++i)
+    add_mass<Dim>(sums, membrane.mass[i], membrane.x, membrane.v, gravity, i);
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    const double stretch = std::max(0.0, membrane.strain[s]);
+    sums.membrane += 0.5 * membrane.axial_stiffness * stretch * stretch * membrane.rest_length[s];
+  }
+  return sums;
+}
+
+struct ErrorSums {
+  double square = 0, max = 0;
+  ErrorSums& operator+=(const ErrorSums& other) {
+    square += other.square;
+    max = std::max(max, other.max);
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+Totals<Dim>& Totals<Dim>::operator+=(const Totals& other) {
+  kinetic += other.kinetic;
+  potential += other.potential;
+  strain += other.strain;
+  membrane += other.membrane;
+  mass += other.mass;
+  momentum += other.momentum;
+  return *this;
+}
+
+template <int Dim>
+Totals<Dim> measure(const State<Dim>& state, const Point& gravity) {
+  Totals<Dim> totals;
+  for (const Body<Dim>& body : state.bodies) totals += body_totals(body, gravity);
+  for (const Membrane<Dim>& membrane : state.membranes) totals += membrane_totals(membrane, gravity);
+  return totals;
+}
+
+template <int Dim>
+PressureError pressure_error(const Body<Dim>& body, const Newtonian& fluid, double surface, double gravity) {
+  const auto sums = fixed_order_sum<ErrorSums>(body.size(), [&](ErrorSums& part, std::size_t p) {
+    const double depth = surface - body.x[vertical_axis<Dim>][p];
+    const double error = mean_pressure(body, p) - still_pressure(fluid, gravity, depth);
+    part.square += error * error;
+    part.max = std::max(part.max, std::abs(error));
+  });
+  return {std::sqrt(sums.square / static_cast<double>(body.size())), sums.max};
+}
+
+template struct Totals<2>;
+template struct Totals<3>;
+template Totals<2> measure(const State<2>&, const Point&);
+template Totals<3> measure(const State<3>&, const Point&);
+template PressureError pressure_error(const Body<2>&, const Newtonian&, double, double);
+template PressureError pressure_error(const Body<3>&, const Newtonian&, double, double);
+
+}  // namespace geodrop
