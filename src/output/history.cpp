@@ -1,0 +1,167 @@
+// The rows of history.csv. Names and values are listed by the same functions, so that they cannot fall out of step.
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <geodrop/error.hpp>
+#include <geodrop/history.hpp>
+#include <numbers>
+
+#include "text.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// Names with values, in the order of the columns.
+struct Row {
+  std::vector<std::string> names;
+  std::vector<double> values;
+
+  void add(const std::string& name, double value) {
+    names.push_back(name);
+    values.push_back(value);
+  }
+  /// One column per axis: `before` + "_x_" + `unit`, ...
+  template <class Vector>
+  void add_vector(const std::string& before, const std::string& unit, const Vector& vector, int dimension) {
+    for (int a = 0; a < dimension; ++a) add(before + "_" + axis_names[a] + "_" + unit, vector[a]);
+  }
+};
+
+/// The multiple of 360 degrees that brings an angle closest to the one of the row before.
+double unwrap(double degrees, double before) { return degrees + 360 * std::round((before - degrees) / 360); }
+
+template <int Dim>
+void list_body(Row& row, const std::string& name, const BodyMeasures<Dim>& body, const HistoryTable& earlier) {
+  row.add_vector(name + ".position", "m", body.centre, Dim);
+  row.add_vector(name + ".velocity", "m_s", body.velocity, Dim);
+  const double rotation = body.rotation * 180 / std::numbers::pi;
+  const double before = earlier.rows.empty() ? 0 : earlier.rows.back()[row.values.size()];
+  row.add(name + ".rotation_deg", unwrap(rotation, before));
+  row.add(name + ".mean_pressure_centre_Pa", body.pressure_centre);
+  row.add(name + ".vertical_stress_centre_Pa", body.vertical_stress_centre);
+  row.add(name + ".horizontal_stress_centre_Pa", body.horizontal_stress_centre);
+  row.add(name + ".velocity_rms_m_s", body.velocity_rms);
+  row.add(name + ".lowest_m", body.lower[vertical_axis<Dim>]);
+  row.add(name + ".highest_m", body.upper[vertical_axis<Dim>]);
+  row.add(name + ".leftmost_m", body.lower[0]);
+  row.add(name + ".rightmost_m", body.upper[0]);
+}
+
+/// `peak`: largest tension since the row before.
+template <int Dim>
+void list_membrane(Row& row, const std::string& name, const MembraneMeasures<Dim>& membrane, double peak, bool closed) {
+  row.add(name + ".tension_max_N_m", membrane.tension_max);
+  row.add(name + ".tension_mean_N_m", membrane.tension_mean);
+  row.add(name + ".tension_p95_N_m", membrane.tension_p95);
+  row.add_vector(name + ".tension_max", "m", membrane.tension_max_at, Dim);
+  row.add(name + ".tension_peak_N_m", std::max(peak, membrane.tension_max));
+  if (Dim == 2 && closed) row.add(name + ".area_m2", membrane.area);
+  row.add(name + ".length_m", membrane.length);
+  row.add(name + ".utilisation_max", membrane.utilisation_max);
+}
+
+template <int Dim>
+void list_totals(Row& row, const Totals<Dim>& totals, const HistoryTable& earlier) {
+  row.add("energy.kinetic_J", totals.kinetic);
+  row.add("energy.potential_J", totals.potential);
+  row.add("energy.strain_J", totals.strain);
+  row.add("energy.membrane_J", totals.membrane);
+  const double initial = earlier.rows.empty() ? totals.energy() : earlier.rows.front()[row.values.size()];
+  row.add("energy.total_J", totals.energy());
+  row.add("energy.dissipated_J", initial - totals.energy());
+  row.add("total.mass_kg", totals.mass);
+  row.add_vector("total.momentum", "kg_m_s", totals.momentum, Dim);
+}
+
+template <int Dim>
+void list_tracer(Row& row, const std::string& name, const Tracer<Dim>& tracer) {
+  std::array<double, Dim> displacement;
+  for (int a = 0; a < Dim; ++a) displacement[a] = tracer.x[a] - tracer.initial_x[a];
+  row.add_vector(name + ".position", "m", tracer.x, Dim);
+  row.add_vector(name + ".displacement", "m", displacement, Dim);
+  row.add_vector(name + ".velocity", "m_s", tracer.v, Dim);
+}
+
+void list_pressure_error(Row& row, const std::string& name, const PressureError& error) {
+  row.add(name + ".pressure_error_rms_Pa", error.rms);
+  row.add(name + ".pressure_error_max_Pa", error.max);
+}
+
+template <class Named>
+const Named& find_named(const std::vector<Named>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Named& item) { return item.name == name; });
+  assert(found != list.end());
+  return *found;
+}
+
+template <int Dim>
+PressureError measure(const HydrostaticProbeSpec& probe, const Scene& scene, const State<Dim>& state) {
+  const Material fluid = make_material(find_named(scene.materials, probe.still.fluid));
+  return pressure_error(find_named(state.bodies, probe.body), std::get<Newtonian>(fluid), probe.still.surface,
+                        -scene.gravity[vertical_axis<Dim>]);
+}
+
+/// Without a state: the names only, with values that mean nothing.
+template <int Dim>
+Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlier) {
+  Row row;
+  row.add("time_s", state ? state->t : 0);
+  row.add("step", state ? static_cast<double>(state->step) : 0);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    list_body(row, scene.bodies[b].name, state ? measure(state->bodies[b], scene.grid.spacing) : BodyMeasures<Dim>{},
+              earlier);
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m)
+    list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
+                  state ? state->membranes[m].tension_peak : 0, scene.membranes[m].closed);
+  list_totals(row, state ? measure(*state, scene.gravity) : Totals<Dim>{}, earlier);
+  for (const ProbeSpec& spec : scene.probes) {
+    if (const auto* tracer = std::get_if<TracerSpec>(&spec.probe))
+      list_tracer(row, tracer->name, state ? find_named(state->tracers, tracer->name) : Tracer<Dim>{});
+    if (const auto* probe = std::get_if<HydrostaticProbeSpec>(&spec.probe))
+      list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
+  }
+  return row;
+}
+
+[[noreturn]] void throw_not_written(const std::filesystem::path& path) {
+  throw RunError("cannot write " + path.string() + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+std::size_t HistoryTable::find(const std::string& column) const {
+  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
+}
+
+std::vector<std::string> history_columns(const Scene& scene) {
+  return scene.dimension == 2 ? list<2>(scene, nullptr, {}).names : list<3>(scene, nullptr, {}).names;
+}
+
+template <int Dim>
+std::vector<double> history_row(const Scene& scene, const State<Dim>& state, const HistoryTable& earlier) {
+  return list<Dim>(scene, &state, earlier).values;
+}
+
+HistoryFile::HistoryFile(const std::filesystem::path& path, const HistoryTable& table)
+    : path_(path), file_(std::fopen(path.c_str(), "w")) {
+  if (!file_) throw_not_written(path_);
+  std::string header;
+  for (const std::string& column : table.columns) header += (header.empty() ? "" : ",") + column;
+  if (std::fprintf(file_.get(), "%s\n", header.c_str()) < 0 || std::fflush(file_.get()) != 0) throw_not_written(path_);
+  for (const std::vector<double>& row : table.rows) append(row);
+}
+
+void HistoryFile::append(const std::vector<double>& row) {
+  std::string line;
+  for (const double value : row) line += (line.empty() ? "" : ",") + format_number(value);
+  if (std::fprintf(file_.get(), "%s\n", line.c_str()) < 0 || std::fflush(file_.get()) != 0) throw_not_written(path_);
+}
+
+template std::vector<double> history_row(const Scene&, const State<2>&, const HistoryTable&);
+template std::vector<double> history_row(const Scene&, const State<3>&, const HistoryTable&);
+
+}  // namespace geodrop

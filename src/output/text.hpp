@@ -1,0 +1,18 @@
+// Numbers and tables as text, the same everywhere in a run directory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// Nine significant digits; "nan", "inf", "-inf" where it is none.
+std::string format_number(double value, int digits = 9);
+
+/// Lines of cells in aligned columns, two spaces apart; `alignment` has a letter per column, l or r.
+std::string format_table(const std::vector<std::vector<std::string>>& lines, const std::string& alignment);
+
+/// "1:02:03", "2:03"; "-" if not finite.
+std::string format_duration(double seconds);
+
+}  // namespace geodrop
