@@ -1,0 +1,118 @@
+// One list of all members of a state, walked by the checkpoint's writer, its reader and the hash.
+//
+// Members are named by structured bindings: a member that is added to the state and not here does not compile.
+//
+// An archive has `bytes(pointer, count)` for plain data, and `length(n)`, which is told the present length of a list
+// and answers the length that the list shall have.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <geodrop/state.hpp>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+
+namespace geodrop {
+
+template <class T>
+inline constexpr bool is_body = false;
+template <int Dim>
+inline constexpr bool is_body<Body<Dim>> = true;
+template <class T>
+inline constexpr bool is_membrane = false;
+template <int Dim>
+inline constexpr bool is_membrane<Membrane<Dim>> = true;
+template <class T>
+inline constexpr bool is_tracer = false;
+template <int Dim>
+inline constexpr bool is_tracer<Tracer<Dim>> = true;
+
+/// References to all members of a part of the state, const if the part is.
+template <class Part>
+auto members(Part& part) {
+  using Plain = std::remove_const_t<Part>;
+  if constexpr (is_body<Plain>) {
+    auto& [name, material_name, material, pressure, shift, shift_speed, x, v, affine, mass, J, stress, pore_pressure,
+           deviatoric_strain, id, initial_x, layer, slab_begin] = part;
+    return std::tie(name, material_name, material, pressure, shift, shift_speed, x, v, affine, mass, J, stress,
+                    pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
+  } else if constexpr (is_membrane<Plain>) {
+    auto& [name, body, closed, axial_stiffness, strength, averaging_segments, x, v, mass, rest_length, strain, tension,
+           tension_peak] = part;
+    return std::tie(name, body, closed, axial_stiffness, strength, averaging_segments, x, v, mass, rest_length, strain,
+                    tension, tension_peak);
+  } else if constexpr (is_tracer<Plain>) {
+    auto& [name, x, v, initial_x] = part;
+    return std::tie(name, x, v, initial_x);
+  } else {
+    auto& [t, step, drift, v_max, bodies, membranes, tracers, active_blocks] = part;
+    return std::tie(t, step, drift, v_max, bodies, membranes, tracers, active_blocks);
+  }
+}
+
+template <class T>
+inline constexpr bool is_plain = std::is_arithmetic_v<std::remove_const_t<T>> || std::is_enum_v<std::remove_const_t<T>>;
+template <class T>
+inline constexpr bool is_fixed_array = false;
+template <class T, std::size_t n>
+inline constexpr bool is_fixed_array<std::array<T, n>> = true;
+template <class T>
+concept List = requires(T& list) {
+  list.size();
+  list.begin();
+};
+
+template <class Archive, class T>
+void walk(Archive& archive, T& value);
+
+/// The law's index, then its constants, which are all doubles.
+template <class Archive>
+void walk_material(Archive& archive, const Material& material) {
+  const std::uint32_t index = static_cast<std::uint32_t>(material.index());
+  archive.bytes(&index, 1);
+  std::visit(
+      [&](const auto& law) { archive.bytes(reinterpret_cast<const double*>(&law), sizeof(law) / sizeof(double)); },
+      material);
+}
+template <class Archive>
+void walk_material(Archive& archive, Material& material) {
+  std::uint32_t index = 0;
+  archive.bytes(&index, 1);
+  if (index == 0) material = Newtonian{};
+  if (index == 1) material = LinearElastic{};
+  if (index == 2) material = MohrCoulomb{};
+  static_assert(std::variant_size_v<Material> == 3, "name the new law here");
+  std::visit([&](auto& law) { archive.bytes(reinterpret_cast<double*>(&law), sizeof(law) / sizeof(double)); },
+             material);
+}
+
+template <class Archive, class T>
+void walk_list(Archive& archive, T& list) {
+  const std::size_t length = archive.length(list.size());
+  if constexpr (!std::is_const_v<T>) list.resize(length);
+  if constexpr (is_plain<typename T::value_type>) {
+    archive.bytes(list.data(), length);
+  } else {
+    for (auto& item : list) walk(archive, item);
+  }
+}
+
+/// Hands every value below `value` to the archive, in a fixed order.
+template <class Archive, class T>
+void walk(Archive& archive, T& value) {
+  using Plain = std::remove_const_t<T>;
+  if constexpr (is_plain<T>) {
+    archive.bytes(&value, 1);
+  } else if constexpr (std::is_same_v<Plain, Material>) {
+    walk_material(archive, value);
+  } else if constexpr (is_fixed_array<Plain>) {
+    for (auto& item : value) walk(archive, item);
+  } else if constexpr (List<T>) {
+    walk_list(archive, value);
+  } else {
+    std::apply([&](auto&... member) { (walk(archive, member), ...); }, members(value));
+  }
+}
+
+}  // namespace geodrop
