@@ -17,32 +17,39 @@ struct AxisStress {
 };
 
 /// Change of stress that brings `trial` back to the yield surface; exactly zero where it does not yield.
+/// Tells whether any lane yields.
 template <class R>
-[[gnu::always_inline]] inline AxisStress<R> plastic_correction(const YieldSurface& surface,
-                                                               const AxisStress<R>& trial) {
+[[gnu::always_inline]] inline bool plastic_correction(const YieldSurface& surface, const AxisStress<R>& trial,
+                                                      AxisStress<R>& change) {
   const R centre = 0.5 * (trial.xx + trial.yy);
   const R half_difference = 0.5 * (trial.xx - trial.yy);
   // Far below any stress [Pa], far above underflow: gives equal principal stresses a harmless direction.
   const double smallest_radius = 1e-100;
   const R radius = max(sqrt(half_difference * half_difference + trial.xy * trial.xy), broadcast<R>(smallest_radius));
   const R high = centre + radius, low = centre - radius, z = trial.axis;
+  const Principal<R> sorted{max(high, z), max(low, min(high, z)), min(low, z)};
+  const auto outside = violates(surface, sorted);
+  if (!any(outside)) return false;
+
+  const Principal<R> back = return_to_yield(surface, sorted, outside);
+  const Principal<R> d{back.first - sorted.first, back.second - sorted.second, back.third - sorted.third};
   const auto axis_first = z > high;
   const auto axis_third = z < low;
-  const Principal<R> sorted{max(high, z), max(low, min(high, z)), min(low, z)};
-  const Principal<R> back = return_to_yield(surface, sorted);
-  const Principal<R> change{back.first - sorted.first, back.second - sorted.second, back.third - sorted.third};
-  const R d_high = select(axis_first, change.second, change.first);
-  const R d_low = select(axis_third, change.second, change.third);
-  const R d_axis = select(axis_first, change.first, select(axis_third, change.third, change.second));
+  const R d_high = select(axis_first, d.second, d.first);
+  const R d_low = select(axis_third, d.second, d.third);
   const R d_centre = 0.5 * (d_high + d_low);
   const R ratio = 0.5 * (d_high - d_low) / radius;
-  return {d_centre + ratio * half_difference, d_centre - ratio * half_difference, ratio * trial.xy, d_axis};
+  change.xx = d_centre + ratio * half_difference;
+  change.yy = d_centre - ratio * half_difference;
+  change.xy = ratio * trial.xy;
+  change.axis = select(axis_first, d.first, select(axis_third, d.third, d.second));
+  return true;
 }
 
 template <class R>
 [[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, std::array<R, 4>& stress) {
-  const AxisStress<R> change =
-      plastic_correction<R>(surface, {stress[0], stress[1], stress[3], stress[2]});
+  AxisStress<R> change;
+  if (!plastic_correction<R>(surface, {stress[0], stress[1], stress[3], stress[2]}, change)) return;
   stress[0] += change.xx;
   stress[1] += change.yy;
   stress[2] += change.axis;
@@ -67,8 +74,9 @@ template <class R>
   const PrincipalFrame<R> frame = principal_frame(stress);
   const auto& [u, w, v] = frame;
   const std::array<R, 3> along_u = traction<R>(stress, u), along_w = traction<R>(stress, w);
-  const AxisStress<R> change = plastic_correction<R>(
-      surface, {dot(u, along_u), dot(w, along_w), dot(u, along_w), dot(v, traction<R>(stress, v))});
+  const AxisStress<R> trial{dot(u, along_u), dot(w, along_w), dot(u, along_w), dot(v, traction<R>(stress, v))};
+  AxisStress<R> change;
+  if (!plastic_correction(surface, trial, change)) return;
   std::array<R, 3> p, q, r;
 #pragma GCC unroll 3
   for (int a = 0; a < 3; ++a) {

@@ -109,34 +109,37 @@ template <class R>
   return select((x1 > t) & (on_plane2 <= t) & (on_plane3 >= m), Principal<R>{t, on_plane2, on_plane3}, best);
 }
 
-/// The stress on or inside the yield surface that belongs to a sorted trial stress [Pa].
-template <class R>
-[[gnu::always_inline]] inline Principal<R> return_to_yield(const YieldSurface& y, const Principal<R>& trial) {
+/// The stress on the yield surface that belongs to a sorted trial stress [Pa] outside of it; `outside` tells which
+/// lanes that holds for, the others get their trial stress back.
+template <class R, class Mask>
+[[gnu::always_inline]] inline Principal<R> return_to_yield(const YieldSurface& y, const Principal<R>& trial,
+                                                           const Mask& outside) {
   const auto& [x1, x2, x3] = trial;
   const R f13 = shear_yield(y, x1, x3);
-  Principal<R> best = return_to_cutoff(y, trial);
 
   // Shear plane. Where it breaks the order of the stresses, one of the edges is next.
   const R multiplier = f13 * (1.0 / y.stiffness);
   const Principal<R> plane{x1 - y.flow_first * multiplier, x2 - y.flow_volume * multiplier,
                            x3 - y.flow_third * multiplier};
+  const auto below = plane.second < plane.third;
+  const auto above = plane.second > plane.first;
 
   // Triaxial compression, s2 = s3: sum of the multipliers of g_13 and g_12.
   const R compression = (f13 + shear_yield(y, x1, x2)) * (1.0 / (y.stiffness + y.compression_edge));
   const R compression1 = x1 - y.flow_first * compression;
   const R compression3 = 0.5 * (x2 + x3) - 0.5 * (y.flow_volume + y.flow_third) * compression;
-  best = select((plane.second < plane.third) & (compression1 <= y.cutoff),
-                Principal<R>{compression1, compression3, compression3}, best);
 
   // Triaxial extension, s1 = s2: sum of the multipliers of g_13 and g_23.
   const R extension = (f13 + shear_yield(y, x2, x3)) * (1.0 / (y.stiffness + y.extension_edge));
   const R extension1 = 0.5 * (x1 + x2) - 0.5 * (y.flow_volume + y.flow_first) * extension;
   const R extension3 = x3 - y.flow_third * extension;
-  best = select((plane.second > plane.first) & (extension1 <= y.cutoff),
-                Principal<R>{extension1, extension1, extension3}, best);
 
-  best = select((plane.second <= plane.first) & (plane.second >= plane.third) & (plane.first <= y.cutoff) & (f13 > 0.0), plane, best);
-  return select(violates(y, trial), best, trial);
+  Principal<R> best = select(below, Principal<R>{compression1, compression3, compression3}, plane);
+  best = select(above & (extension1 <= y.cutoff), Principal<R>{extension1, extension1, extension3}, best);
+  best = select(outside, best, trial);
+  const auto open = (best.first > y.cutoff) | (best.second > best.first) | (outside & (f13 <= 0.0));
+  if (any(open)) best = select(open, return_to_cutoff(y, trial), best);
+  return best;
 }
 
 }  // namespace geodrop
