@@ -1,0 +1,109 @@
+#include "snapshot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <geodrop/measure.hpp>
+#include <limits>
+
+namespace geodrop {
+namespace {
+
+const std::vector<std::string> vector_components = {"X", "Y", "Z"};
+const std::vector<std::string> tensor_components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+
+/// Which fields the particles have, in the order of `ParticleValues`.
+const std::vector<Field> particle_fields = {
+    {"velocity", vector_components, {}}, {"displacement", vector_components, {}},
+    {"stress", tensor_components, {}},   {"mean_pressure", {}, {}},
+    {"pore_pressure", {}, {}},           {"deviatoric_strain", {}, {}},
+    {"volumetric_strain", {}, {}},       {"density", {}, {}}};
+
+float narrow(double value) { return static_cast<float>(value); }
+
+/// Writes one particle's values into its places of the fields.
+template <int Dim>
+void copy_particle(const Body<Dim>& body, std::size_t p, std::size_t to, ParticleSnapshot& out) {
+  const auto values = [&](std::size_t field) { return &out.fields[field].values[to * out.fields[field].width()]; };
+  const std::uint32_t id = body.id[p];
+  for (int a = 0; a < Dim; ++a) {
+    out.points[3 * to + a] = narrow(body.x[a][p]);
+    values(0)[a] = narrow(body.v[a][p]);
+    values(1)[a] = narrow(body.x[a][p] - body.initial_x[a][id]);
+  }
+  const auto stress = total_stress(body, p);
+  for (int k = 0; k < stress_components<Dim>; ++k) values(2)[k] = narrow(stress[k]);
+  *values(3) = narrow(mean_pressure(body, p));
+  *values(4) = body.pore_pressure.empty() ? 0.0F : narrow(body.pore_pressure[p]);
+  *values(5) = body.deviatoric_strain.empty() ? 0.0F : narrow(body.deviatoric_strain[p]);
+  *values(6) = narrow(body.J[p] - 1);
+  *values(7) = narrow(reference_density(body.material) / body.J[p]);
+  out.layer[to] = body.layer.empty() ? 0 : body.layer[id];
+  out.id[to] = id;
+}
+
+ParticleSnapshot make_room(std::size_t particles) {
+  ParticleSnapshot out;
+  out.points.resize(3 * particles);
+  out.fields = particle_fields;
+  for (Field& field : out.fields) field.values.resize(field.width() * particles);
+  out.layer.resize(particles);
+  out.material.resize(particles);
+  out.body.resize(particles);
+  out.id.resize(particles);
+  return out;
+}
+
+template <int Dim>
+ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials) {
+  std::size_t count = 0;
+  for (const Body<Dim>& body : state.bodies) count += body.size();
+  ParticleSnapshot out = make_room(count);
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<Dim>& body = state.bodies[b];
+    const auto material = std::find(materials.begin(), materials.end(), body.material_name) - materials.begin();
+#pragma omp parallel for schedule(static)
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      copy_particle(body, p, first + p, out);
+      out.material[first + p] = static_cast<std::uint8_t>(material);
+      out.body[first + p] = static_cast<std::uint8_t>(b);
+    }
+    first += body.size();
+  }
+  return out;
+}
+
+template <int Dim>
+void append_membrane(const Membrane<Dim>& membrane, std::uint8_t index, MembraneSnapshot& out) {
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  const auto nodes = static_cast<std::uint32_t>(membrane.nodes());
+  for (std::uint32_t i = 0; i < nodes; ++i)
+    for (int a = 0; a < 3; ++a) out.points.push_back(a < Dim ? narrow(membrane.x[a][i]) : 0.0F);
+  for (std::uint32_t s = 0; s < membrane.segments(); ++s) {
+    out.connectivity.push_back(first + s);
+    out.connectivity.push_back(first + (s + 1) % nodes);
+    out.fields[0].values.push_back(narrow(membrane.tension[s]));
+    out.fields[1].values.push_back(narrow(membrane.strain[s]));
+    out.fields[2].values.push_back(membrane.strength > 0 ? narrow(membrane.tension[s] / membrane.strength)
+                                                         : std::numeric_limits<float>::quiet_NaN());
+    out.membrane.push_back(index);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials) {
+  Snapshot snapshot;
+  snapshot.t = state.t;
+  snapshot.particles = copy_particles(state, materials);
+  snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
+  for (std::size_t m = 0; m < state.membranes.size(); ++m)
+    append_membrane(state.membranes[m], static_cast<std::uint8_t>(m), snapshot.membranes);
+  return snapshot;
+}
+
+template Snapshot take_snapshot(const State<2>&, const std::vector<std::string>&);
+template Snapshot take_snapshot(const State<3>&, const std::vector<std::string>&);
+
+}  // namespace geodrop

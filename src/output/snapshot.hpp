@@ -1,0 +1,49 @@
+// A frame copied out of the state: what the writer thread works on while the step loop goes on.
+#pragma once
+
+#include <cstdint>
+#include <geodrop/state.hpp>
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// One value of `components` numbers per particle or segment, Float32.
+struct Field {
+  std::string name;
+  std::vector<std::string> components;  ///< names; empty: one number without a name
+  std::vector<float> values;
+
+  std::size_t width() const { return components.empty() ? 1 : components.size(); }
+};
+
+/// Particles of all bodies, body by body, each body in the order of its storage.
+struct ParticleSnapshot {
+  std::vector<float> points;  ///< three per particle [m]
+  std::vector<Field> fields;
+  std::vector<std::uint8_t> layer;     ///< horizontal band at the start
+  std::vector<std::uint8_t> material;  ///< index in the scene
+  std::vector<std::uint8_t> body;      ///< index in the scene
+  std::vector<std::uint32_t> id;       ///< index within the body at the start
+};
+
+/// Segments of all membranes.
+struct MembraneSnapshot {
+  std::vector<float> points;                ///< three per node [m]
+  std::vector<std::uint32_t> connectivity;  ///< two nodes per segment
+  std::vector<Field> fields;                ///< per segment
+  std::vector<std::uint8_t> membrane;       ///< index in the scene, per segment
+};
+
+struct Snapshot {
+  double t = 0;           ///< [s]
+  std::size_t index = 0;  ///< of the frame, in file names
+  ParticleSnapshot particles;
+  MembraneSnapshot membranes;  ///< empty if the scene has none
+};
+
+/// `materials`: names in the order of the scene.
+template <int Dim>
+Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials);
+
+}  // namespace geodrop

@@ -1,0 +1,162 @@
+// Inline binary, not appended: ParaView 5.11 as in Debian 12 cannot read appended data of more than a few thousand
+// points, since its XML parser refuses what comes after the last element.
+#include "vtk_files.hpp"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <array>
+#include <cstdio>
+#include <geodrop/error.hpp>
+
+#include "atomic_file.hpp"
+
+namespace geodrop {
+namespace {
+
+/// A VTK array that looks at our numbers without a copy; it neither changes nor frees them.
+template <class VtkArray, class T>
+vtkSmartPointer<VtkArray> view(const std::string& name, const std::vector<T>& values, std::size_t width) {
+  constexpr int keep = 1;
+  auto array = vtkSmartPointer<VtkArray>::New();
+  if (!name.empty()) array->SetName(name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(width));
+  array->SetArray(const_cast<T*>(values.data()), static_cast<vtkIdType>(values.size()), keep);
+  return array;
+}
+
+template <class VtkArray, class T>
+void add(vtkFieldData* to, const std::string& name, const std::vector<T>& values) {
+  to->AddArray(view<VtkArray>(name, values, 1));
+}
+
+void add_fields(vtkFieldData* to, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
+    const auto array = view<vtkFloatArray>(field.name, field.values, field.width());
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+      array->SetComponentName(static_cast<vtkIdType>(c), field.components[c].c_str());
+    to->AddArray(array);
+  }
+}
+
+void set_points(vtkPointSet* to, const std::vector<float>& points) {
+  vtkNew<vtkPoints> vtk_points;
+  vtk_points->SetData(view<vtkFloatArray>("Points", points, 3));
+  to->SetPoints(vtk_points);
+}
+
+/// ParaView shows this as the time of the data.
+void set_time(vtkDataObject* of, double t) {
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("TimeValue");
+  time->InsertNextValue(t);
+  of->GetFieldData()->AddArray(time);
+}
+
+/// Cells of `size` points each: offsets 0, size, 2 size, ... 32-bit, which halves them in the file.
+vtkSmartPointer<vtkCellArray> make_cells(vtkTypeInt32Array* connectivity, int size) {
+  vtkNew<vtkTypeInt32Array> offsets;
+  const vtkIdType cells = connectivity->GetNumberOfValues() / size;
+  offsets->SetNumberOfValues(cells + 1);
+  for (vtkIdType c = 0; c <= cells; ++c) offsets->SetValue(c, static_cast<vtkTypeInt32>(c * size));
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->SetData(offsets, connectivity);
+  return array;
+}
+
+/// VTK reports a failed write to observers (or, without one, on stderr) and by a code, and its stream may swallow the
+/// failure of the last flush: so the end of the file is looked at, too.
+void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::path& path, Compression compression) {
+  std::string reported;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&reported);
+  observer->SetCallback([](vtkObject*, unsigned long, void* text, void* message) {
+    *static_cast<std::string*>(text) = message ? static_cast<const char*>(message) : "";
+  });
+  writer->AddObserver(vtkCommand::ErrorEvent, observer);
+  writer->SetFileName(path.c_str());
+  writer->SetInputDataObject(data);
+  writer->SetDataModeToBinary();
+  if (compression == Compression::none)
+    writer->SetCompressorTypeToNone();
+  else
+    writer->SetCompressorTypeToZLib();
+  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError && reported.empty();
+  if (!written)
+    throw RunError("cannot write " + path.string() + ": " +
+                   vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+}
+
+}  // namespace
+
+std::string frame_file_name(const std::string& kind, std::size_t index, const std::string& extension) {
+  std::array<char, 16> digits;
+  std::snprintf(digits.data(), digits.size(), "_%06zu.", index);
+  return kind + digits.data() + extension;
+}
+
+void write_particles(const std::filesystem::path& path, const ParticleSnapshot& particles, double t,
+                     Compression compression) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  set_points(grid, particles.points);
+  vtkNew<vtkTypeInt32Array> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(particles.id.size()));
+  for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
+    connectivity->SetValue(i, static_cast<vtkTypeInt32>(i));
+  grid->SetCells(VTK_VERTEX, make_cells(connectivity, 1));
+  add_fields(grid->GetPointData(), particles.fields);
+  add<vtkUnsignedCharArray>(grid->GetPointData(), "layer", particles.layer);
+  add<vtkUnsignedCharArray>(grid->GetPointData(), "material", particles.material);
+  add<vtkUnsignedCharArray>(grid->GetPointData(), "body", particles.body);
+  add<vtkUnsignedIntArray>(grid->GetPointData(), "id", particles.id);
+  set_time(grid, t);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  write(writer, grid, path, compression);
+}
+
+void write_membranes(const std::filesystem::path& path, const MembraneSnapshot& membranes, double t,
+                     Compression compression) {
+  vtkNew<vtkPolyData> lines;
+  set_points(lines, membranes.points);
+  vtkNew<vtkTypeInt32Array> connectivity;
+  for (const std::uint32_t node : membranes.connectivity)
+    connectivity->InsertNextValue(static_cast<vtkTypeInt32>(node));
+  lines->SetLines(make_cells(connectivity, 2));
+  add_fields(lines->GetCellData(), membranes.fields);
+  add<vtkUnsignedCharArray>(lines->GetCellData(), "membrane", membranes.membrane);
+  set_time(lines, t);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  write(writer, lines, path, compression);
+}
+
+void write_collection(const std::filesystem::path& directory, const std::string& kind, const std::string& extension,
+                      const std::vector<double>& times) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    constexpr int all_digits = 17;
+    std::array<char, 32> time;
+    std::snprintf(time.data(), time.size(), "%.*g", all_digits, times[i]);
+    text += std::string("    <DataSet timestep=\"") + time.data() + "\" part=\"0\" file=\"" +
+            frame_file_name(kind, i, extension) + "\"/>\n";
+  }
+  write_file_atomically(directory / (kind + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+}
+
+}  // namespace geodrop
