@@ -1,0 +1,100 @@
+// The background grid: its layout and the fields that live on it for one step.
+//
+// Nodes sit on grid lines, x fastest, with `pad` ghost nodes beyond every wall. With quadratic B-splines the
+// cell of the pressure is the knot span: it is centred on a node, reaches h/2 to each side, and carries the
+// same index as its node. Walls lie on grid lines, so the cells of wall nodes are half (corner: quarter) cells.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <geodrop/scene.hpp>
+#include <geodrop/types.hpp>
+
+namespace geodrop {
+
+/// Slabs are what one thread scatters at a time: groups of base cells along the axes other than x,
+/// at least P + 2 = 4 cells wide so that two slabs of one colour never touch the same node even if a particle
+/// drifted by one cell since the sort.
+///
+///     2D   row of cells 0..7   slab 0  colour 0        3D   y ->  pencil (0,0) colour 0 | (1,0) colour 1
+///          row of cells 8..15  slab 1  colour 1             z     pencil (0,1) colour 2 | (1,1) colour 3
+///          row of cells 16..23 slab 2  colour 0             v     4 x 4 cells each
+template <int Dim>
+inline constexpr int slab_width = Dim == 2 ? 8 : 4;
+template <int Dim>
+inline constexpr int slab_colours = Dim == 2 ? 2 : 4;
+
+template <int Dim>
+struct GridLayout {
+  static constexpr int pad = 2;
+  /// Blocks are what is cleared, updated and skipped: nodes per axis.
+  static constexpr std::array<int, 3> block_width = {16, slab_width<Dim>, slab_width<Dim>};
+
+  double h = 0;                              ///< spacing [m]
+  double inv_h = 0;                          ///< [1/m]
+  std::array<double, Dim> lower{}, upper{};  ///< domain [m]
+  std::array<int, Dim> cells{};              ///< intervals per axis; nodes 0..cells
+  std::array<int, Dim> stored{};             ///< nodes per axis with ghosts
+  std::array<int, Dim> stride{};             ///< of the flat node index
+  std::array<int, Dim> blocks{};             ///< per axis
+  std::array<int, Dim> slabs{};              ///< per axis; 1 along x
+  std::array<WallKind, Dim> lower_wall{}, upper_wall{};
+
+  GridLayout() = default;
+  GridLayout(const GridSpec& spec, const WallsSpec& walls);
+
+  int nodes() const { return stride[Dim - 1] * stored[Dim - 1]; }
+  int block_count() const;
+  int slab_count() const;
+
+  /// Flat index of a node from its integer coordinates; ghosts have -pad..-1 and cells+1..cells+pad.
+  int index(const std::array<int, Dim>& i) const {
+    int flat = 0;
+    for (int a = 0; a < Dim; ++a) flat += (i[a] + pad) * stride[a];
+    return flat;
+  }
+  /// Coordinate of the base cell (nearest node) of position x along one axis.
+  int base(int axis, double x) const { return static_cast<int>(std::floor((x - lower[axis]) * inv_h + 0.5)); }
+};
+
+/// Flags of a pressure cell.
+enum CellFlag : std::uint8_t {
+  cell_filled = 1,    ///< pressure and volume rate come from the cell, not from each particle
+  cell_shiftable = 2  ///< its neighbourhood is full of material and free of membranes
+};
+
+/// Everything that the stages of one step hand to each other. Cleared anew each step, so not part of a checkpoint.
+/// Entries outside the active blocks are zero. Arrays that no stage of the pipeline needs have length zero.
+template <int Dim>
+struct Grid {
+  GridLayout<Dim> layout;
+  double light_mass = 0;  ///< nodes below it share their impulse with their neighbours, see grid/momentum [kg]
+
+  Array<Vec4> sum;    ///< momentum in lanes 0..Dim-1 [kg m/s], mass in lane 3 [kg]; 2D: volume in lane 2 [m3]
+  Array<Vec4> force;  ///< force from stresses in lanes 0..Dim-1 [N]; 3D: volume in lane 3 [m3]. Without it, dt force is
+                      ///< in `sum`
+  Array<Vec4> velocity;         ///< v' in lanes 0..Dim-1 [m/s]; fill ratio in lane 3 where particles shift
+  Array<Vec4> velocity_change;  ///< v' - v [m/s]; only for Transfer::blend
+
+  Array<double> cell_volume;    ///< sum of particle volumes of a cell [m3]
+  Array<double> cell_pressure;  ///< P_c [Pa]; 0 unless filled
+  Array<double> volume_rate;    ///< D_c [1/s]
+  Array<std::uint8_t> cell_flags;
+
+  /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, h = 1.
+  struct AxisIntegrals {
+    Array<std::array<double, 3>> value;  ///< int N of the nodes cell-1, cell, cell+1
+    Array<std::array<double, 3>> slope;  ///< int N'
+    Array<double> width;                 ///< of the cell: 1, at a wall 1/2, beyond it 0
+  };
+  std::array<AxisIntegrals, Dim> integrals;
+
+  Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
+};
+
+/// Allocates the fields that the scene's physics needs.
+template <int Dim>
+Grid<Dim> make_grid(const Scene& scene);
+
+}  // namespace geodrop

@@ -1,0 +1,126 @@
+// Layout of the grid, allocation of its fields, and the exact integrals of the basis over its cells.
+#include <algorithm>
+#include <geodrop/grid.hpp>
+#include <geodrop/materials.hpp>
+#include <limits>
+
+namespace geodrop {
+namespace {
+
+/// Integrals of N and N' over the cell of node `cell`, h = 1, for the three nodes that reach into it.
+/// A wall half cell sees its ghost node folded onto the mirror node with sign `parity`
+/// (+1 slip, -1 no-slip for tangential components; slopes act on the normal component, always -1).
+struct CellIntegral {
+  std::array<double, 3> value, slope;
+};
+
+CellIntegral wall_cell(bool lower, double parity) {
+  // Half cell [0, 1/2] of a lower wall: int N = (1/48, 1/3, 7/48), int N' = (-1/8, -1/4, 3/8).
+  // The normal velocity of the wall node is zero, so its slope never acts.
+  const double mirror_value = 7.0 / 48 + parity / 48;
+  const double mirror_slope = 3.0 / 8 + 1.0 / 8;
+  if (lower) return {{0, 1.0 / 3, mirror_value}, {0, 0, mirror_slope}};
+  return {{mirror_value, 1.0 / 3, 0}, {-mirror_slope, 0, 0}};
+}
+
+template <int Dim>
+typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, int axis) {
+  typename Grid<Dim>::AxisIntegrals out;
+  const int stored = layout.stored[axis];
+  const CellIntegral none{{0, 0, 0}, {0, 0, 0}};
+  const CellIntegral interior{{1.0 / 6, 2.0 / 3, 1.0 / 6}, {-0.5, 0, 0.5}};
+  out.value.resize(stored);
+  out.slope.resize(stored);
+  out.width.assign(stored, 0.0);
+  for (int s = 0; s < stored; ++s) {
+    const int cell = s - GridLayout<Dim>::pad;
+    const bool inside = cell >= 0 && cell <= layout.cells[axis];
+    const bool at_lower = cell == 0, at_upper = cell == layout.cells[axis];
+    const WallKind wall = at_lower ? layout.lower_wall[axis] : layout.upper_wall[axis];
+    const double parity = wall == WallKind::slip ? 1.0 : -1.0;
+    const CellIntegral c = !inside ? none : at_lower || at_upper ? wall_cell(at_lower, parity) : interior;
+    out.value[s] = c.value;
+    out.slope[s] = c.slope;
+    out.width[s] = !inside ? 0.0 : (at_lower || at_upper ? 0.5 : 1.0);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <int Dim>
+GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls) : h(spec.spacing), inv_h(1.0 / spec.spacing) {
+  int flat = 1;
+  for (int a = 0; a < Dim; ++a) {
+    lower[a] = spec.lower[a];
+    upper[a] = spec.upper[a];
+    cells[a] = static_cast<int>(std::lround((upper[a] - lower[a]) * inv_h));
+    stored[a] = cells[a] + 1 + 2 * pad;
+    stride[a] = flat;
+    flat *= stored[a];
+    blocks[a] = (stored[a] + block_width[a] - 1) / block_width[a];
+    slabs[a] = a == 0 ? 1 : (cells[a] + slab_width<Dim>) / slab_width<Dim>;
+    lower_wall[a] = walls.lower[a];
+    upper_wall[a] = walls.upper[a];
+  }
+}
+
+template <int Dim>
+int GridLayout<Dim>::block_count() const {
+  int n = 1;
+  for (int b : blocks) n *= b;
+  return n;
+}
+
+template <int Dim>
+int GridLayout<Dim>::slab_count() const {
+  int n = 1;
+  for (int s : slabs) n *= s;
+  return n;
+}
+
+namespace {
+
+/// Nodes lighter than this share of a full node of the lightest material hand part of their impulse on.
+/// 0.02 to 0.1 served in trials (design.md section 2, step 3).
+constexpr double light_share = 0.02;
+
+double lightest_density(const Scene& scene) {
+  double density = std::numeric_limits<double>::infinity();
+  for (const MaterialSpec& material : scene.materials)
+    density = std::min(density, reference_density(make_material(material)));
+  return density;
+}
+
+}  // namespace
+
+template <int Dim>
+Grid<Dim> make_grid(const Scene& scene) {
+  Grid<Dim> grid;
+  grid.light_mass = light_share * lightest_density(scene) * std::pow(scene.grid.spacing, Dim);
+  grid.layout = GridLayout<Dim>(scene.grid, scene.walls);
+  const std::size_t n = grid.layout.nodes();
+  const Vec4 zero{};
+  grid.sum.assign(n, zero);
+  grid.velocity.assign(n, zero);
+  const auto any_body = [&](auto has) { return std::any_of(scene.bodies.begin(), scene.bodies.end(), has); };
+  const bool blend = scene.solver.transfer == Transfer::blend;
+  const bool shift = any_body([](const BodySpec& b) { return b.shift; });
+  if (blend || (Dim == 3 && shift)) grid.force.assign(n, zero);
+  if (blend) grid.velocity_change.assign(n, zero);
+  if (shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; })) {
+    grid.cell_volume.assign(n, 0.0);
+    grid.cell_pressure.assign(n, 0.0);
+    grid.volume_rate.assign(n, 0.0);
+    grid.cell_flags.assign(n, 0);
+    for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
+  }
+  return grid;
+}
+
+template struct GridLayout<2>;
+template struct GridLayout<3>;
+template Grid<2> make_grid<2>(const Scene&);
+template Grid<3> make_grid<3>(const Scene&);
+
+}  // namespace geodrop

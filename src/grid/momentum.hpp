@@ -1,0 +1,21 @@
+// The momentum equation on the nodes, and the walls.
+#pragma once
+
+#include <geodrop/grid.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+/// Folds what particles scattered beyond the walls onto the mirror nodes: normal component with sign -1, tangential
+/// with +1 (slip) or -1 (no-slip).
+template <int Dim>
+void fold_walls(Grid<Dim>& grid);
+
+/// v' = v + dt (f / m + g) with the cell pressure's force added; zero normal (no-slip: whole) velocity on walls; mirror
+/// images in the ghost layer. Nodes with less mass than Grid::light_mass take only the part m / light_mass of their
+/// impulse and hand the rest, as one rigid velocity increment, to the nodes of their neighbourhood: momentum is kept to
+/// round-off (flux redistribution, Chern & Colella 1987).
+template <int Dim>
+void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
+
+}  // namespace geodrop

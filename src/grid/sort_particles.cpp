@@ -1,0 +1,182 @@
+#include "sort_particles.hpp"
+
+#include <algorithm>
+#include <geodrop/error.hpp>
+#include <numeric>
+#include <sstream>
+
+#include "blocks.hpp"
+
+namespace geodrop {
+namespace {
+
+template <int Dim>
+[[noreturn]] void throw_outside(const State<Dim>& state, const Body<Dim>& body, std::size_t p) {
+  std::ostringstream text;
+  text << "stage sort_particles: body '" << body.name << "', particle id " << body.id[p]
+       << " left the domain or is not finite (x =";
+  for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
+  text << ") at t = " << state.t << " s, step " << state.step
+       << "; a smaller solver.courant often helps, see the last frame";
+  throw RunError(text.str());
+}
+
+/// Number of base cells along each axis when every slab is complete: keys are dense in (slab, cell of slab).
+template <int Dim>
+struct KeySpace {
+  std::array<int, Dim> extent;  ///< cells of a slab per axis
+  int cells_per_slab = 1;
+
+  explicit KeySpace(const GridLayout<Dim>& layout) {
+    for (int a = 0; a < Dim; ++a) {
+      extent[a] = a == 0 ? layout.cells[0] + 1 : slab_width<Dim>;
+      cells_per_slab *= extent[a];
+    }
+  }
+
+  std::uint32_t key(const GridLayout<Dim>& layout, const std::array<int, Dim>& base) const {
+    int slab = 0, cell = 0;
+    for (int a = Dim - 1; a >= 1; --a) {
+      slab = slab * layout.slabs[a] + base[a] / slab_width<Dim>;
+      cell = cell * extent[a] + base[a] % slab_width<Dim>;
+    }
+    cell = cell * extent[0] + base[0];
+    return static_cast<std::uint32_t>(slab * cells_per_slab + cell);
+  }
+};
+
+template <int Dim>
+void find_keys(const State<Dim>& state, const Body<Dim>& body, const GridLayout<Dim>& layout,
+               const KeySpace<Dim>& space, Array<std::uint32_t>& keys) {
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+  keys.resize(body.size());
+  std::ptrdiff_t bad = n;
+#pragma omp parallel for schedule(static) reduction(min : bad)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    std::array<int, Dim> base;
+    bool inside = true;
+    for (int a = 0; a < Dim; ++a) {
+      const double x = body.x[a][p];
+      inside = inside && x >= layout.lower[a] && x <= layout.upper[a];
+      base[a] = inside ? layout.base(a, x) : 0;
+    }
+    if (!inside) bad = std::min(bad, p);
+    keys[p] = space.key(layout, base);
+  }
+  if (bad != n) throw_outside(state, body, static_cast<std::size_t>(bad));
+}
+
+template <class T>
+void permute(Array<T>& values, const Array<std::uint32_t>& order, Array<T>& scratch) {
+  if (values.empty()) return;
+  scratch.resize(values.size());
+  const auto n = static_cast<std::ptrdiff_t>(order.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t p = 0; p < n; ++p) scratch[p] = values[order[p]];
+  values.swap(scratch);
+}
+
+template <int Dim>
+void permute_body(Body<Dim>& body, const Array<std::uint32_t>& order) {
+  Array<double> scratch;
+  for (auto& values : body.x) permute(values, order, scratch);
+  for (auto& values : body.v) permute(values, order, scratch);
+  for (auto& values : body.affine) permute(values, order, scratch);
+  for (auto& values : body.stress) permute(values, order, scratch);
+  for (auto* values : {&body.mass, &body.J, &body.pore_pressure, &body.deviatoric_strain})
+    permute(*values, order, scratch);
+  Array<std::uint32_t> id_scratch;
+  permute(body.id, order, id_scratch);
+}
+
+template <int Dim>
+void sort_body(const State<Dim>& state, Body<Dim>& body, const GridLayout<Dim>& layout) {
+  const KeySpace<Dim> space(layout);
+  const int slabs = layout.slab_count();
+  Array<std::uint32_t> keys;
+  find_keys(state, body, layout, space, keys);
+
+  Array<std::uint32_t> begin(static_cast<std::size_t>(slabs) * space.cells_per_slab + 1, 0);
+  for (const std::uint32_t key : keys) ++begin[key + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  body.slab_begin.resize(slabs + 1);
+  for (int s = 0; s <= slabs; ++s) body.slab_begin[s] = begin[static_cast<std::size_t>(s) * space.cells_per_slab];
+
+  if (std::is_sorted(keys.begin(), keys.end())) return;
+  Array<std::uint32_t> order(body.size());
+  for (std::size_t p = 0; p < keys.size(); ++p) order[begin[keys[p]]++] = static_cast<std::uint32_t>(p);
+  permute_body(body, order);
+}
+
+/// Marks the blocks of all nodes that a particle can touch until the next sort: its base cell, one cell of drift,
+/// one node of support. `x` need not be sorted.
+template <int Dim>
+void mark_blocks(const std::array<Array<double>, Dim>& x, const GridLayout<Dim>& layout,
+                 std::vector<std::uint8_t>& marks) {
+  constexpr int reach = 2;
+  const std::size_t n = x[0].size();
+  int last = -1;
+  for (std::size_t p = 0; p < n; ++p) {
+    std::array<int, Dim> base;
+    for (int a = 0; a < Dim; ++a) base[a] = layout.base(a, x[a][p]);
+    if (const int flat = layout.index(base); flat == last)
+      continue;
+    else
+      last = flat;
+    for (int corner = 0; corner < (1 << Dim); ++corner) {
+      int block = 0;
+      for (int a = Dim - 1; a >= 0; --a) {
+        const int node = base[a] + GridLayout<Dim>::pad + ((corner >> a & 1) ? reach : -reach);
+        block = block * layout.blocks[a] + node / GridLayout<Dim>::block_width[a];
+      }
+      marks[block] = 1;
+    }
+  }
+}
+
+template <class T>
+void zero_block_row(Array<T>& field, int begin, int count) {
+  if (!field.empty()) std::fill_n(field.begin() + begin, count, T{});
+}
+
+/// Zeroes all fields in a block that goes to sleep: neighbours may still read it.
+template <int Dim>
+void clear_block(Grid<Dim>& grid, std::uint32_t block) {
+  for_each_row_of_block(grid.layout, block, [&](int begin, int count, const auto&) {
+    zero_block_row(grid.sum, begin, count);
+    zero_block_row(grid.force, begin, count);
+    zero_block_row(grid.velocity, begin, count);
+    zero_block_row(grid.velocity_change, begin, count);
+    zero_block_row(grid.cell_volume, begin, count);
+    zero_block_row(grid.cell_pressure, begin, count);
+    zero_block_row(grid.volume_rate, begin, count);
+    zero_block_row(grid.cell_flags, begin, count);
+  });
+}
+
+template <int Dim>
+void renew_active_blocks(State<Dim>& state, Grid<Dim>& grid) {
+  std::vector<std::uint8_t> marks(grid.layout.block_count(), 0);
+  for (const Body<Dim>& body : state.bodies) mark_blocks<Dim>(body.x, grid.layout, marks);
+  for (const Membrane<Dim>& membrane : state.membranes) mark_blocks<Dim>(membrane.x, grid.layout, marks);
+  for (const std::uint32_t block : state.active_blocks)
+    if (!marks[block]) clear_block(grid, block);
+  state.active_blocks.clear();
+  for (std::size_t b = 0; b < marks.size(); ++b)
+    if (marks[b]) state.active_blocks.push_back(static_cast<std::uint32_t>(b));
+}
+
+}  // namespace
+
+template <int Dim>
+void sort_particles_if_due(State<Dim>& state, Grid<Dim>& grid) {
+  if (state.drift >= 0 && state.drift < allowed_drift_cells * grid.layout.h) return;
+  for (Body<Dim>& body : state.bodies) sort_body(state, body, grid.layout);
+  renew_active_blocks(state, grid);
+  state.drift = 0;
+}
+
+template void sort_particles_if_due<2>(State<2>&, Grid<2>&);
+template void sort_particles_if_due<3>(State<3>&, Grid<3>&);
+
+}  // namespace geodrop
