@@ -1,0 +1,180 @@
+// Particles to grid: mass, affine momentum and the force of particle stresses.
+//
+//   sum_i   += N_ip (m v + m C (x_i - x_p)),  N_ip m           APIC (Jiang et al. 2015, eq. 8-9), inertia 4/h^2
+//   force_i -= V_p sigma_p grad N_ip                           Hamad & Moormann eq. 8
+//
+// Where the body's pressure acts from a filled cell, sigma_p is the deviator only; grid/momentum adds P_c.
+#pragma once
+
+#include "chunk.hpp"
+
+namespace geodrop {
+
+/// Negative volume times the stress that particles of a chunk carry to the grid [N m], components as in types.hpp.
+template <int Dim>
+struct ChunkStress {
+  alignas(64) double s[stress_components<Dim>][chunk_size];
+  alignas(64) double volume[chunk_size];  ///< [m3]
+};
+
+template <int Dim>
+void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t begin, int count, const double* own,
+                    ChunkStress<Dim>& out) {
+  const double* const mass = body.mass.data() + begin;
+  const double* const J = body.J.data() + begin;
+  const double inv_rho = 1 / water.density, K = water.bulk_modulus;
+  for (int k = 0; k < count; ++k) out.volume[k] = mass[k] * inv_rho * J[k];
+  for (int c = 0; c < stress_components<Dim>; ++c) {
+    const double* const viscous = water.viscosity > 0 ? body.stress[c].data() + begin : nullptr;
+    for (int k = 0; k < count; ++k) {
+      const double pressure = c < 3 ? own[k] * K * (1 / J[k] - 1) : 0.0;
+      out.s[c][k] = -out.volume[k] * ((viscous ? viscous[k] : 0.0) - pressure);
+    }
+  }
+}
+
+/// Soil and elastic solids: total stress sigma' - u 1, less its mean where the cell carries that.
+template <int Dim>
+void carried_solid_stress(const Body<Dim>& body, double density, std::size_t begin, int count, const double* own,
+                          ChunkStress<Dim>& out) {
+  alignas(64) double removed[chunk_size];
+  const double* const pore = body.pore_pressure.empty() ? nullptr : body.pore_pressure.data() + begin;
+  for (int k = 0; k < count; ++k) {
+    const std::size_t p = begin + k;
+    const double mean = (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
+    const double u = pore ? pore[k] : 0.0;
+    out.volume[k] = body.mass[p] * body.J[p] / density;
+    removed[k] = own[k] * u + (1 - own[k]) * mean;
+  }
+  for (int c = 0; c < stress_components<Dim>; ++c) {
+    const double* const sigma = body.stress[c].data() + begin;
+    for (int k = 0; k < count; ++k) out.s[c][k] = -out.volume[k] * (sigma[k] - (c < 3 ? removed[k] : 0.0));
+  }
+}
+
+template <int Dim>
+void carried_stress(const Body<Dim>& body, const LinearElastic& solid, std::size_t begin, int count, const double* own,
+                    ChunkStress<Dim>& out) {
+  carried_solid_stress(body, solid.density, begin, count, own, out);
+}
+
+template <int Dim>
+void carried_stress(const Body<Dim>& body, const MohrCoulomb& soil, std::size_t begin, int count, const double* own,
+                    ChunkStress<Dim>& out) {
+  carried_solid_stress(body, soil.density, begin, count, own, out);
+}
+
+/// 1 where the particle's own pressure acts, 0 where its cell carries the pressure.
+template <int Dim, class Basis>
+void own_pressure(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int count,
+                  double* own) {
+  if (body.pressure == PressureSupport::particle) {
+    for (int k = 0; k < count; ++k) own[k] = 1;
+    return;
+  }
+  const int to_base = base_offset(grid.layout);
+  for (int k = 0; k < count; ++k) own[k] = grid.cell_flags[weights.first[k] + to_base] & cell_filled ? 0.0 : 1.0;
+}
+
+/// One particle's contribution: vectors of a node record.
+template <int Dim>
+struct ScatterRecord {
+  Vec4 value;          ///< momentum and mass (2D: and volume) at the lowest node of the support
+  Vec4 step[Dim];      ///< change of `value` per node along an axis
+  Vec4 traction[Dim];  ///< -V sigma e_a
+  double volume;       ///< [m3]
+};
+
+template <int Dim, class Basis>
+ScatterRecord<Dim> make_record(const Body<Dim>& body, const ChunkWeights<Dim, Basis>& weights,
+                               const ChunkStress<Dim>& stress, std::size_t p, int k, double h) {
+  ScatterRecord<Dim> r;
+  const double m = body.mass[p];
+  r.value = Vec4{};
+  for (int a = 0; a < Dim; ++a) r.value[a] = m * body.v[a][p];
+  r.value[3] = m;
+  r.volume = stress.volume[k];
+  if constexpr (Dim == 2) r.value[2] = r.volume;
+  for (int b = 0; b < Dim; ++b) {
+    Vec4 column{}, traction{};
+    for (int a = 0; a < Dim; ++a) {
+      column[a] = m * body.affine[a * Dim + b][p];
+      traction[a] = stress.s[stress_index<Dim>(a, b)][k];
+    }
+    r.value += weights.reach[b][k] * column;
+    r.step[b] = h * column;
+    r.traction[b] = traction;
+  }
+  return r;
+}
+
+/// Adds one particle to a row of nodes; `outer_w` is the product of the other axes' weights.
+/// With Separate, force has its own record; without, `traction` comes times dt and joins the momentum.
+template <bool Separate, class Basis>
+void add_row(Vec4* sum, Vec4* force, const double (&w)[Basis::support][chunk_size],
+             const double (&g)[Basis::support][chunk_size], int k, double outer_w, Vec4 value, Vec4 step,
+             Vec4 traction_x, Vec4 traction_rest) {
+  value *= outer_w;
+  step *= outer_w;
+  traction_x *= outer_w;
+  for (int i = 0; i < Basis::support; ++i) {
+    const Vec4 f = g[i][k] * traction_x + w[i][k] * traction_rest;
+    if constexpr (Separate) {
+      sum[i] += w[i][k] * value;
+      force[i] += f;
+    } else {
+      sum[i] += w[i][k] * value + f;
+    }
+    value += step;
+  }
+}
+
+template <int Dim, class Basis, bool Separate>
+void scatter_particle(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout,
+                      const ChunkWeights<Dim, Basis>& weights, int k, Vec4* sum, Vec4* force) {
+  Vec4* const sum0 = sum + weights.first[k];
+  Vec4* const force0 = Separate ? force + weights.first[k] : nullptr;
+  for (int z = 0; z < (Dim == 3 ? Basis::support : 1); ++z) {
+    const double wz = Dim == 3 ? weights.w[Dim - 1][z][k] : 1.0;
+    for (int y = 0; y < Basis::support; ++y) {
+      const double wy = weights.w[1][y][k];
+      Vec4 value = r.value + y * r.step[1];
+      Vec4 rest = weights.g[1][y][k] * wz * r.traction[1];
+      int offset = y * layout.stride[1];
+      if constexpr (Dim == 3) {
+        value += z * r.step[2];
+        rest += wy * weights.g[2][z][k] * r.traction[2];
+        if constexpr (Separate) rest[3] = wy * wz * r.volume;
+        offset += z * layout.stride[2];
+      }
+      add_row<Separate, Basis>(sum0 + offset, Separate ? force0 + offset : nullptr, weights.w[0], weights.g[0], k,
+                               wy * wz, value, r.step[0], r.traction[0], rest);
+    }
+  }
+}
+
+/// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
+template <int Dim, class Basis, bool Separate, class Law>
+void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, double dt, std::size_t begin,
+                   std::size_t end) {
+  ChunkWeights<Dim, Basis> weights;
+  ChunkStress<Dim> stress;
+  alignas(64) double own[chunk_size];
+  for (std::size_t p = begin; p < end; p += chunk_size) {
+    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
+    std::array<const double*, Dim> x;
+    for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
+    compute_weights<Dim, Basis>(grid.layout, x, count, weights);
+    own_pressure<Dim, Basis>(body, grid, weights, count, own);
+    carried_stress(body, law, p, count, own, stress);
+    if constexpr (!Separate)
+      for (auto& component : stress.s)
+        for (int k = 0; k < count; ++k) component[k] *= dt;
+    for (int k = 0; k < count; ++k) {
+      const auto record = make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h);
+      scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+    }
+  }
+}
+
+}  // namespace geodrop

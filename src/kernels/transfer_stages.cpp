@@ -1,0 +1,103 @@
+#include "transfer_stages.hpp"
+
+#include <cmath>
+
+#include "../grid/blocks.hpp"
+#include "kernels.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Slabs of one colour, ascending.
+template <int Dim>
+std::vector<int> slabs_of_colour(const GridLayout<Dim>& layout, int colour) {
+  std::vector<int> out;
+  for (int slab = 0; slab < layout.slab_count(); ++slab) {
+    const int y = slab % layout.slabs[1], z = slab / layout.slabs[1];
+    if ((y & 1) + 2 * (z & 1) == colour) out.push_back(slab);
+  }
+  return out;
+}
+
+/// f(body, begin, end) for every body's particles of every slab. Slabs of one colour run in parallel, colours in
+/// order, so each node receives its contributions in the same order whatever the number of threads.
+template <int Dim, class F>
+void for_each_slab_by_colour(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
+  for (int colour = 0; colour < slab_colours<Dim>; ++colour) {
+    const std::vector<int> slabs = slabs_of_colour(layout, colour);
+    const auto n = static_cast<std::ptrdiff_t>(slabs.size());
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::ptrdiff_t s = 0; s < n; ++s)
+      for (const Body<Dim>& body : state.bodies) {
+        const std::size_t begin = body.slab_begin[slabs[s]], end = body.slab_begin[slabs[s] + 1];
+        if (begin < end) f(body, begin, end);
+      }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void clear_grid(const State<Dim>& state, Grid<Dim>& grid) {
+  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+    const auto zero = [&](auto& field) {
+      if (!field.empty())
+        std::fill_n(field.begin() + begin, count, typename std::decay_t<decltype(field)>::value_type{});
+    };
+    zero(grid.sum);
+    zero(grid.force);
+    zero(grid.cell_volume);
+    zero(grid.cell_pressure);
+  });
+}
+
+template <int Dim>
+void sum_particles_in_cells(const State<Dim>& state, Grid<Dim>& grid) {
+  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+    sum_cells<Dim>(body, grid, begin, end);
+  });
+}
+
+template <int Dim>
+void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt) {
+  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+    scatter<Dim>(body, grid, dt, begin, end);
+  });
+}
+
+template <int Dim>
+void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
+  constexpr std::size_t share =
+      16 * chunk_size;  // particles per task: fixed, so that packets fall the same way for any thread count
+  const GatherOptions options{dt, std::exp(-solver.blend_rate * dt), std::exp(-solver.damping_rate * dt)};
+  double v_max = 0, displacement = 0;
+  for (Body<Dim>& body : state.bodies) {
+    const auto tasks = static_cast<std::ptrdiff_t>((body.size() + share - 1) / share);
+    grid.chunk_maxima.assign(2 * tasks, 0.0);
+#pragma omp parallel for schedule(dynamic, 4)
+    for (std::ptrdiff_t task = 0; task < tasks; ++task) {
+      const std::size_t begin = task * share, end = std::min(body.size(), begin + share);
+      const Maxima maxima = gather<Dim>(body, grid, options, begin, end);
+      grid.chunk_maxima[2 * task] = std::sqrt(maxima.speed2);
+      grid.chunk_maxima[2 * task + 1] = maxima.displacement;
+    }
+    for (std::ptrdiff_t task = 0; task < tasks; ++task) {
+      const double speed = grid.chunk_maxima[2 * task];
+      if (!(speed <= v_max) && !std::isnan(v_max)) v_max = speed;  // NaN stays: stable_dt reports it
+      displacement = std::max(displacement, grid.chunk_maxima[2 * task + 1]);
+    }
+  }
+  state.v_max = v_max;
+  state.drift += displacement;
+}
+
+#define GEODROP_INSTANTIATE(D)                                           \
+  template void clear_grid<D>(const State<D>&, Grid<D>&);                \
+  template void sum_particles_in_cells<D>(const State<D>&, Grid<D>&);    \
+  template void particles_to_grid<D>(const State<D>&, Grid<D>&, double); \
+  template void grid_to_particles<D>(const SolverSpec&, State<D>&, Grid<D>&, double);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop

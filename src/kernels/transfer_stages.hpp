@@ -1,0 +1,24 @@
+// The stages that move data between particles and grid: they own the parallelism, the kernels own the arithmetic.
+#pragma once
+
+#include <geodrop/pipeline.hpp>
+
+namespace geodrop {
+
+/// Zeroes the fields of the active blocks.
+template <int Dim>
+void clear_grid(const State<Dim>& state, Grid<Dim>& grid);
+
+/// Cell volumes and volume-weighted pressures, colour by colour.
+template <int Dim>
+void sum_particles_in_cells(const State<Dim>& state, Grid<Dim>& grid);
+
+/// Mass, momentum and stress force of all bodies, colour by colour.
+template <int Dim>
+void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt);
+
+/// Moves all particles and updates their stress; renews State::v_max and adds to State::drift.
+template <int Dim>
+void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt);
+
+}  // namespace geodrop
