@@ -1,0 +1,186 @@
+#include "membrane_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../kernels/chunk.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Segment s ends at node s + 1, or at node 0 if it closes the loop.
+template <int Dim>
+std::size_t end_node(const Membrane<Dim>& membrane, std::size_t segment) {
+  return segment + 1 == membrane.nodes() ? 0 : segment + 1;
+}
+
+template <int Dim>
+std::array<double, Dim> segment_vector(const Membrane<Dim>& membrane, std::size_t s) {
+  std::array<double, Dim> d;
+  for (int a = 0; a < Dim; ++a) d[a] = membrane.x[a][end_node(membrane, s)] - membrane.x[a][s];
+  return d;
+}
+
+template <std::size_t Dim>
+double length(const std::array<double, Dim>& d) {
+  double sum = 0;
+  for (const double c : d) sum += c * c;
+  return std::sqrt(sum);
+}
+
+/// Calls f(other, weight) for the segments of the box around s; the box is cut at the ends of an open membrane.
+template <int Dim, class F>
+void for_box(const Membrane<Dim>& membrane, std::size_t s, F&& f) {
+  const auto n = static_cast<std::ptrdiff_t>(membrane.segments());
+  const std::ptrdiff_t w = membrane.averaging_segments, centre = static_cast<std::ptrdiff_t>(s);
+  const std::ptrdiff_t low = membrane.closed ? centre - w : std::max<std::ptrdiff_t>(0, centre - w);
+  const std::ptrdiff_t high = membrane.closed ? centre + w : std::min(n - 1, centre + w);
+  const double weight = 1.0 / static_cast<double>(high - low + 1);
+  for (std::ptrdiff_t k = low; k <= high; ++k) f(static_cast<std::size_t>((k + n) % n), weight);
+}
+
+/// Weights of the nine (27) nodes around a point, and the flat index of the lowest.
+template <int Dim>
+struct PointSupport {
+  int first;
+  double w[Dim][Bspline2::support];
+
+  PointSupport(const GridLayout<Dim>& layout, const std::array<double, Dim>& x) : first(0) {
+    for (int a = 0; a < Dim; ++a) {
+      const int base = layout.base(a, x[a]);
+      Bspline2::weights((x[a] - layout.lower[a]) * layout.inv_h - base, w[a]);
+      first += (base + GridLayout<Dim>::pad - 1) * layout.stride[a];
+    }
+  }
+  /// f(flat node, weight)
+  template <class F>
+  void for_each_node(const GridLayout<Dim>& layout, F&& f) const {
+    for (int z = 0; z < (Dim == 3 ? Bspline2::support : 1); ++z)
+      for (int y = 0; y < Bspline2::support; ++y)
+        for (int x = 0; x < Bspline2::support; ++x) {
+          const double outer = w[1][y] * (Dim == 3 ? w[Dim - 1][z] : 1.0);
+          f(first + x + y * layout.stride[1] + (Dim == 3 ? z * layout.stride[Dim - 1] : 0), w[0][x] * outer);
+        }
+  }
+};
+
+template <int Dim>
+Vec4 interpolate(const GridLayout<Dim>& layout, const PointSupport<Dim>& support, const Array<Vec4>& field) {
+  Vec4 sum{};
+  support.for_each_node(layout, [&](int node, double weight) { sum += weight * field[node]; });
+  return sum;
+}
+
+template <int Dim>
+std::array<double, Dim> node_position(const Membrane<Dim>& membrane, std::size_t k) {
+  std::array<double, Dim> x;
+  for (int a = 0; a < Dim; ++a) x[a] = membrane.x[a][k];
+  return x;
+}
+
+template <int Dim>
+void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt) {
+  const auto force = membrane_forces(membrane);
+  const bool separate = !grid.force.empty();
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    Vec4 momentum{}, f{};
+    for (int a = 0; a < Dim; ++a) {
+      momentum[a] = membrane.mass[k] * membrane.v[a][k];
+      f[a] = force[a][k];
+    }
+    momentum[3] = membrane.mass[k];
+    if (!separate) momentum += dt * f;
+    const PointSupport<Dim> support(grid.layout, node_position(membrane, k));
+    support.for_each_node(grid.layout, [&](int node, double weight) {
+      grid.sum[node] += weight * momentum;
+      if (separate) grid.force[node] += weight * f;
+    });
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void update_tension(Membrane<Dim>& membrane) {
+  const std::size_t n = membrane.segments();
+  Array<double> raw(n);
+  for (std::size_t s = 0; s < n; ++s) raw[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
+  for (std::size_t s = 0; s < n; ++s) {
+    double mean = 0;
+    for_box(membrane, s, [&](std::size_t other, double weight) { mean += weight * raw[other]; });
+    membrane.strain[s] = mean;
+    membrane.tension[s] = std::max(0.0, membrane.axial_stiffness * mean);
+    membrane.tension_peak = std::max(membrane.tension_peak, membrane.tension[s]);
+  }
+}
+
+template <int Dim>
+std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
+  // Energy sum_s L0_s J e_s^2 / 2 with e_s = sum_r W_sr e_r: the force of segment r is (1/L0_r) sum_s W_sr L0_s T_s.
+  Array<double> pull(membrane.segments(), 0.0);
+  for (std::size_t s = 0; s < membrane.segments(); ++s)
+    for_box(membrane, s,
+            [&](std::size_t r, double weight) { pull[r] += weight * membrane.rest_length[s] * membrane.tension[s]; });
+  std::array<Array<double>, Dim> force;
+  for (auto& component : force) component.assign(membrane.nodes(), 0.0);
+  for (std::size_t r = 0; r < membrane.segments(); ++r) {
+    const auto d = segment_vector(membrane, r);
+    const double scale = pull[r] / (membrane.rest_length[r] * length(d));
+    for (int a = 0; a < Dim; ++a) {
+      force[a][r] += scale * d[a];
+      force[a][end_node(membrane, r)] -= scale * d[a];
+    }
+  }
+  return force;
+}
+
+template <int Dim>
+void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt) {
+  for (Membrane<Dim>& membrane : state.membranes) {
+    update_tension(membrane);
+    membrane_to_grid(membrane, grid, dt);
+  }
+}
+
+template <int Dim>
+void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
+  const bool blend = !grid.velocity_change.empty();
+  const double keep = blend ? std::exp(-solver.blend_rate * dt) : 0.0;
+  const double damping = std::exp(-solver.damping_rate * dt);
+  double displacement = 0;
+  for (Membrane<Dim>& membrane : state.membranes)
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      const PointSupport<Dim> support(grid.layout, node_position(membrane, k));
+      const Vec4 v = interpolate(grid.layout, support, grid.velocity);
+      const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
+      for (int a = 0; a < Dim; ++a) {
+        membrane.v[a][k] = damping * (keep * (membrane.v[a][k] + change[a]) + (1 - keep) * v[a]);
+        membrane.x[a][k] += dt * v[a];
+        displacement = std::max(displacement, std::abs(dt * v[a]));
+      }
+    }
+  state.drift += displacement;
+}
+
+template <int Dim>
+void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
+  for (Tracer<Dim>& tracer : state.tracers) {
+    const Vec4 v = interpolate(grid.layout, PointSupport<Dim>(grid.layout, tracer.x), grid.velocity);
+    for (int a = 0; a < Dim; ++a) {
+      tracer.v[a] = v[a];
+      tracer.x[a] += dt * v[a];
+    }
+  }
+}
+
+#define GEODROP_INSTANTIATE(D)                                                              \
+  template void update_tension<D>(Membrane<D>&);                                            \
+  template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);             \
+  template void membranes_to_grid<D>(State<D>&, Grid<D>&, double);                          \
+  template void grid_to_membranes<D>(const SolverSpec&, State<D>&, const Grid<D>&, double); \
+  template void grid_to_tracers<D>(State<D>&, const Grid<D>&, double);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop

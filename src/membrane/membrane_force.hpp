@@ -1,0 +1,31 @@
+// Tension-only membranes of two-node segments, and their transfer to and from the grid.
+#pragma once
+
+#include <geodrop/grid.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+/// Strain e = (L - L0)/L0 of each segment, box mean over +-w segments, T = max(0, J e): fills `strain` and `tension`.
+/// The box mean keeps noise of the grid out of the tension (design.md section 2; w = 0: peaks twice as high, contact.md
+/// section 7).
+template <int Dim>
+void update_tension(Membrane<Dim>& membrane);
+
+/// Forces on the nodes [N], dim-major: the exact adjoint of update_tension's mean, so that work is elastic energy.
+template <int Dim>
+std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane);
+
+/// Adds mass, momentum and force of all membranes to the grid.
+template <int Dim>
+void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt);
+
+/// Moves membrane nodes with the grid velocity; adds their displacement to State::drift.
+template <int Dim>
+void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt);
+
+/// Moves tracers with the grid velocity.
+template <int Dim>
+void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt);
+
+}  // namespace geodrop
