@@ -1,0 +1,78 @@
+// The step, stage by stage. docs/step.md tells the same with equations; `geodrop stages SCENE` prints the list.
+#include <algorithm>
+#include <chrono>
+#include <geodrop/pipeline.hpp>
+
+#include "../grid/cell_pressure.hpp"
+#include "../grid/momentum.hpp"
+#include "../grid/sort_particles.hpp"
+#include "../kernels/transfer_stages.hpp"
+#include "../membrane/membrane_force.hpp"
+
+namespace geodrop {
+namespace {
+
+bool any_body(const Scene& scene, bool (*has)(const BodySpec&)) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), has);
+}
+
+bool has_tracers(const Scene& scene) {
+  return std::any_of(scene.probes.begin(), scene.probes.end(),
+                     [](const ProbeSpec& p) { return std::holds_alternative<TracerSpec>(p.probe); });
+}
+
+}  // namespace
+
+template <int Dim>
+Pipeline<Dim> build_pipeline(const Scene& scene) {
+  using S = State<Dim>;
+  using G = Grid<Dim>;
+  using C = StepContext;
+  const bool shift = any_body(scene, [](const BodySpec& b) { return b.shift; });
+  const bool cell_pressure = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
+  const bool membranes = !scene.membranes.empty();
+  const SolverSpec solver = scene.solver;
+  std::array<double, Dim> gravity;
+  std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
+
+  Pipeline<Dim> p;
+  const auto add = [&p](bool wanted, std::string name, std::string flow, auto run) {
+    if (wanted) p.push_back({std::move(name), std::move(flow), run, 0.0});
+  };
+  const bool cells = cell_pressure || shift;
+  // clang-format off
+  add(true,          "sort_particles",    "positions -> order of all particle arrays, active blocks", [](S& s, G& g, const C&) { sort_particles_if_due(s, g); });
+  add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S& s, G& g, const C&) { clear_grid(s, g); });
+  add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
+  add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
+  add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
+  add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(s, g, gravity, c.dt); });
+  add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
+  add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
+  add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
+  add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
+  // clang-format on
+  return p;
+}
+
+template <int Dim>
+void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid) {
+  using Clock = std::chrono::steady_clock;
+  const StepContext step{stable_dt(scene, state, grid.layout), state.t, state.step};
+  auto start = Clock::now();
+  for (Stage<Dim>& stage : pipeline) {
+    stage.run(state, grid, step);
+    const auto end = Clock::now();
+    stage.seconds += std::chrono::duration<double>(end - start).count();
+    start = end;
+  }
+  state.t += step.dt;
+  ++state.step;
+}
+
+template Pipeline<2> build_pipeline<2>(const Scene&);
+template Pipeline<3> build_pipeline<3>(const Scene&);
+template void advance<2>(const Scene&, Pipeline<2>&, State<2>&, Grid<2>&);
+template void advance<3>(const Scene&, Pipeline<3>&, State<3>&, Grid<3>&);
+
+}  // namespace geodrop

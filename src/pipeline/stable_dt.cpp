@@ -1,0 +1,59 @@
+// The stable time step of the explicit scheme.
+#include <algorithm>
+#include <cmath>
+#include <geodrop/error.hpp>
+#include <geodrop/pipeline.hpp>
+#include <sstream>
+
+namespace geodrop {
+namespace {
+
+/// Density of the material that a membrane's mass and stiffness share a node with [kg/m3].
+template <int Dim>
+double density_beside(const State<Dim>& state, const Membrane<Dim>& membrane) {
+  for (const Body<Dim>& body : state.bodies)
+    if (body.name == membrane.body) return reference_density(body.material);
+  return 0;
+}
+
+/// A mass-proportional damping beta leaves (2/omega)(sqrt(1 + xi^2) - xi) of the step, xi = beta / (2 omega).
+double damped(double dt, double rate) {
+  const double xi = rate * dt / 4;
+  return dt * (std::sqrt(1 + xi * xi) - xi);
+}
+
+}  // namespace
+
+/// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h) (design.md section 2); viscosity: dt <= h^2 / (2 d
+/// nu).
+template <int Dim>
+double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<Dim>& layout) {
+  if (!std::isfinite(state.v_max)) {
+    std::ostringstream text;
+    text << "a velocity is not finite after step " << state.step << ", t = " << state.t << " s; the last frame is kept";
+    throw RunError(text.str());
+  }
+  double c2 = 0, membrane2 = 0, nu = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    c2 = std::max(c2, std::pow(wave_speed(body.material), 2));
+    nu = std::max(nu, kinematic_viscosity(body.material));
+  }
+  for (const Membrane<Dim>& membrane : state.membranes)
+    membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.h));
+  double dt = scene.solver.courant * layout.h / (std::sqrt(c2 + membrane2) + state.v_max);
+  if (nu > 0) dt = std::min(dt, scene.solver.courant * layout.h * layout.h / (2 * Dim * nu));
+  dt = damped(dt, scene.solver.damping_rate);
+  constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
+  if (dt < smallest_share * scene.time.end) {
+    std::ostringstream text;
+    text << "the time step collapsed to " << dt << " s at step " << state.step << ", t = " << state.t
+         << " s (|v|max = " << state.v_max << " m/s)";
+    throw RunError(text.str());
+  }
+  return dt;
+}
+
+template double stable_dt<2>(const Scene&, const State<2>&, const GridLayout<2>&);
+template double stable_dt<3>(const Scene&, const State<3>&, const GridLayout<3>&);
+
+}  // namespace geodrop

@@ -1,0 +1,155 @@
+// From the scene to the state at t = 0.
+#include <algorithm>
+#include <cmath>
+#include <geodrop/pipeline.hpp>
+#include <geodrop/shapes.hpp>
+#include <numbers>
+
+#include "fill_particles.hpp"
+#include "initial_stress.hpp"
+
+namespace geodrop {
+namespace {
+
+const MaterialSpec& material_named(const Scene& scene, const std::string& name) {
+  return *std::find_if(scene.materials.begin(), scene.materials.end(),
+                       [&](const MaterialSpec& m) { return m.name == name; });
+}
+
+const BodySpec& body_named(const Scene& scene, const std::string& name) {
+  return *std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& b) { return b.name == name; });
+}
+
+/// Arrays that the material needs; a body without a quantity keeps its array empty.
+template <int Dim>
+void allocate(Body<Dim>& body) {
+  const std::size_t n = body.J.size();
+  body.mass.assign(n, 0.0);
+  for (auto& component : body.v) component.assign(n, 0.0);
+  for (auto& component : body.affine) component.assign(n, 0.0);
+  const auto* water = std::get_if<Newtonian>(&body.material);
+  if (!water || water->viscosity > 0)
+    for (auto& component : body.stress) component.assign(n, 0.0);
+  if (const auto* soil = std::get_if<MohrCoulomb>(&body.material)) {
+    body.deviatoric_strain.assign(n, 0.0);
+    if (soil->pore_stiffness > 0) body.pore_pressure.assign(n, 0.0);
+  }
+}
+
+template <int Dim>
+void set_velocity(const InitialVelocity& initial, Body<Dim>& body) {
+  if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
+    for (int a = 0; a < Dim; ++a) body.v[a].assign(body.size(), uniform->value[a]);
+  } else if (const auto* bar = std::get_if<BarFirstModeSpec>(&initial)) {
+    const double k = std::numbers::pi / (2 * bar->length);
+    const auto& x = body.x[bar->axis];
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      body.v[bar->axis][p] = bar->amplitude * std::sin(k * x[p]);
+      body.affine[bar->axis * Dim + bar->axis][p] = bar->amplitude * k * std::cos(k * x[p]);
+    }
+  }
+}
+
+template <int Dim>
+Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
+  Body<Dim> body;
+  body.name = spec.name;
+  body.material_name = spec.material;
+  body.material = make_material(material_named(scene, spec.material));
+  body.pressure = spec.pressure;
+  body.shift = spec.shift;
+  body.shift_speed = spec.shift_speed;
+  fill_particles(scene, spec, body);
+  allocate(body);
+  set_initial_stress(scene, spec, body);
+  set_velocity(spec.initial_velocity, body);
+  body.initial_x = body.x;
+  return body;
+}
+
+/// Points along an open polyline, corners kept, each leg divided evenly into steps of about `spacing`.
+std::vector<Point> divide_polyline(const std::vector<Point>& corners, double spacing) {
+  std::vector<Point> out{corners.front()};
+  for (std::size_t c = 1; c < corners.size(); ++c) {
+    const Point &from = corners[c - 1], &to = corners[c];
+    double length2 = 0;
+    for (std::size_t a = 0; a < from.size(); ++a) length2 += std::pow(to[a] - from[a], 2);
+    const int steps = std::max(1, static_cast<int>(std::lround(std::sqrt(length2) / spacing)));
+    for (int k = 1; k <= steps; ++k) {
+      Point x = from;
+      for (std::size_t a = 0; a < x.size(); ++a) x[a] += (to[a] - from[a]) * k / steps;
+      out.push_back(x);
+    }
+  }
+  return out;
+}
+
+template <int Dim>
+double distance(const Membrane<Dim>& membrane, std::size_t a, std::size_t b) {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) sum += std::pow(membrane.x[d][a] - membrane.x[d][b], 2);
+  return std::sqrt(sum);
+}
+
+/// Rest length is the drawn length times 1 + slack; the fabric keeps its mass per rest length.
+template <int Dim>
+Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
+  Membrane<Dim> membrane;
+  membrane.name = spec.name;
+  membrane.body = spec.body;
+  membrane.closed = spec.closed;
+  membrane.axial_stiffness = spec.axial_stiffness;
+  membrane.strength = spec.strength;
+  membrane.averaging_segments = spec.averaging_segments;
+  const double spacing = scene.grid.spacing / spec.segments_per_cell;
+  const Shape drawn = spec.points.empty() ? body_named(scene, spec.body).shape : Shape{PolygonShape{spec.points}};
+  const std::vector<Point> nodes =
+      spec.points.empty() || spec.closed ? outline(drawn, spacing) : divide_polyline(spec.points, spacing);
+  const std::size_t n = nodes.size();
+  for (int a = 0; a < Dim; ++a) {
+    membrane.v[a].assign(n, 0.0);
+    for (const Point& x : nodes) membrane.x[a].push_back(x[a]);
+  }
+  membrane.mass.assign(n, 0.0);
+  const std::size_t segments = spec.closed ? n : n - 1;
+  for (std::size_t s = 0; s < segments; ++s) {
+    const std::size_t end = (s + 1) % n;
+    const double rest = distance(membrane, s, end) * (1 + spec.slack);
+    membrane.rest_length.push_back(rest);
+    membrane.mass[s] += 0.5 * spec.mass_per_area * rest;
+    membrane.mass[end] += 0.5 * spec.mass_per_area * rest;
+  }
+  membrane.strain.assign(segments, 0.0);
+  membrane.tension.assign(segments, 0.0);
+  return membrane;
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> build_state(const Scene& scene) {
+  State<Dim> state;
+  state.drift = -1;  // sort before the first step
+  for (const BodySpec& spec : scene.bodies) state.bodies.push_back(build_body<Dim>(scene, spec));
+  for (const MembraneSpec& spec : scene.membranes) state.membranes.push_back(build_membrane<Dim>(scene, spec));
+  for (const ProbeSpec& spec : scene.probes) {
+    const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
+    if (!tracer) continue;
+    Tracer<Dim> t{tracer->name, {}, {}, {}};
+    std::copy_n(tracer->position.begin(), Dim, t.x.begin());
+    t.initial_x = t.x;
+    state.tracers.push_back(t);
+  }
+  for (const Body<Dim>& body : state.bodies)
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      double speed2 = 0;
+      for (int a = 0; a < Dim; ++a) speed2 += body.v[a][p] * body.v[a][p];
+      state.v_max = std::max(state.v_max, std::sqrt(speed2));
+    }
+  return state;
+}
+
+template State<2> build_state<2>(const Scene&);
+template State<3> build_state<3>(const Scene&);
+
+}  // namespace geodrop

@@ -1,0 +1,17 @@
+// The stress that a body starts with.
+#pragma once
+
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+/// Pressure of a still fluid [Pa] at height y: p = K (exp(rho0 g d / K) - 1), d = surface - y >= 0, else 0. The exact
+/// weakly compressible column, so that a column at rest stays at rest at any sound speed.
+double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y);
+
+/// Sets stress, pore pressure, J and mass of all particles; on entry J holds the particle's volume [m3].
+template <int Dim>
+void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body);
+
+}  // namespace geodrop
