@@ -1,6 +1,5 @@
 // The text of a SceneError: one line per problem, in the form compilers use, so that editors can jump to it.
 #include <geodrop/error.hpp>
-
 #include <utility>
 
 namespace geodrop {

@@ -3,9 +3,8 @@
 // `==` compares every value, the positions in the file included.
 #pragma once
 
-#include <geodrop/error.hpp>
-
 #include <cstdint>
+#include <geodrop/error.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -48,9 +47,9 @@ struct NewtonianSpec {
 };
 /// Hypoelastic with logarithmic strain and a rotated (Hughes-Winget) Cauchy stress.
 struct LinearElasticSpec {
-  double density = 0;          ///< [kg/m3]
-  double youngs_modulus = 0;   ///< [Pa]
-  double poissons_ratio = 0;   ///< [-]
+  double density = 0;         ///< [kg/m3]
+  double youngs_modulus = 0;  ///< [Pa]
+  double poissons_ratio = 0;  ///< [-]
   bool operator==(const LinearElasticSpec&) const = default;
 };
 /// Fluid in the pores of an undrained soil: pore pressure rate = -(K_f / n) div v.
@@ -61,13 +60,13 @@ struct UndrainedSpec {
 };
 /// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
 struct MohrCoulombSpec {
-  double density = 0;              ///< of the mixture [kg/m3]
-  double youngs_modulus = 0;       ///< [Pa]
-  double poissons_ratio = 0;       ///< [-]
-  double cohesion = 0;             ///< [Pa]
-  double friction_angle_deg = 0;   ///< [degree]
-  double dilatancy_angle_deg = 0;  ///< [degree]
-  double tension_cutoff = 0;       ///< largest principal effective stress [Pa], at most c cot(phi)
+  double density = 0;                      ///< of the mixture [kg/m3]
+  double youngs_modulus = 0;               ///< [Pa]
+  double poissons_ratio = 0;               ///< [-]
+  double cohesion = 0;                     ///< [Pa]
+  double friction_angle_deg = 0;           ///< [degree]
+  double dilatancy_angle_deg = 0;          ///< [degree]
+  double tension_cutoff = 0;               ///< largest principal effective stress [Pa], at most c cot(phi)
   std::optional<UndrainedSpec> undrained;  ///< empty: drained
   bool operator==(const MohrCoulombSpec&) const = default;
 };
@@ -96,7 +95,8 @@ struct K0StressSpec {
   std::optional<HydrostaticSpec> fluid;  ///< gives overburden and pore pressure
   bool operator==(const K0StressSpec&) const = default;
 };
-/// Isotropic total stress equal to the pressure of the still fluid (a drained bag: effective stress -p I; undrained: pore pressure p).
+/// Isotropic total stress equal to the pressure of the still fluid (a drained bag: effective stress -p I; undrained:
+/// pore pressure p).
 struct FluidPressureSpec {
   HydrostaticSpec fluid;
   bool operator==(const FluidPressureSpec&) const = default;
@@ -126,31 +126,31 @@ struct BodySpec {
   std::string name;
   std::string material;
   Shape shape;
-  std::vector<std::string> minus;       ///< bodies whose shapes are cut out of this one
-  int particles_per_cell_axis = 2;      ///< particles per cell and axis [-]
-  double jitter = 0;                    ///< random offset, fraction of the particle spacing [-]
+  std::vector<std::string> minus;   ///< bodies whose shapes are cut out of this one
+  int particles_per_cell_axis = 2;  ///< particles per cell and axis [-]
+  double jitter = 0;                ///< random offset, fraction of the particle spacing [-]
   std::uint64_t jitter_seed = 0;
   InitialVelocity initial_velocity;
   InitialStress initial_stress;
   PressureSupport pressure = PressureSupport::cell;
-  int layers = 1;                       ///< horizontal bands that colour the picture
-  double shift_speed = 0;               ///< v0 of particle shifting [m/s]
-  bool shift = false;                   ///< particle shifting (fluids only)
+  int layers = 1;          ///< horizontal bands that colour the picture
+  double shift_speed = 0;  ///< v0 of particle shifting [m/s]
+  bool shift = false;      ///< particle shifting (fluids only)
   SourceRef at;
   bool operator==(const BodySpec&) const = default;
 };
 
 struct MembraneSpec {
   std::string name;
-  std::string body;                ///< lies on this body's outline
-  std::vector<Point> points;       ///< polyline [m]; empty: the whole outline, closed
+  std::string body;           ///< lies on this body's outline
+  std::vector<Point> points;  ///< polyline [m]; empty: the whole outline, closed
   bool closed = true;
-  double axial_stiffness = 0;      ///< J [N/m]
-  double mass_per_area = 0;        ///< [kg/m2]
-  double strength = 0;             ///< [N/m]
-  double slack = 0;                ///< rest length / drawn length - 1 [-]
-  double segments_per_cell = 4;    ///< spacing of nodes = h / segments_per_cell
-  int averaging_segments = 2;      ///< half width w of the box mean of strain and of force
+  double axial_stiffness = 0;    ///< J [N/m]
+  double mass_per_area = 0;      ///< [kg/m2]
+  double strength = 0;           ///< [N/m]
+  double slack = 0;              ///< rest length / drawn length - 1 [-]
+  double segments_per_cell = 4;  ///< spacing of nodes = h / segments_per_cell
+  int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };
@@ -213,10 +213,10 @@ enum class Reduction { last, min, max, mean, rms, percentile, period, first_time
 
 /// A named result of the run: `reduce` applied to `column` over rows with from <= t <= to, times `scale`.
 struct ResultSpec {
-  std::string name;            ///< ends in its unit, e.g. fall_velocity_max_m_s
-  std::string column;          ///< of history.csv
+  std::string name;    ///< ends in its unit, e.g. fall_velocity_max_m_s
+  std::string column;  ///< of history.csv
   Reduction reduce = Reduction::last;
-  double from = 0;             ///< [s]
+  double from = 0;                                      ///< [s]
   double to = std::numeric_limits<double>::infinity();  ///< [s]; infinite: to the end of the run
   double scale = 1;
   double percentile = 0;       ///< [0..100], for Reduction::percentile
@@ -238,7 +238,7 @@ struct ExpectSpec {
 };
 
 struct Scene {
-  std::string file;      ///< path that it was read from
+  std::string file;  ///< path that it was read from
   std::string title;
   std::string question;  ///< what this case asks
   int dimension = 2;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
-
 #include <string>
 #include <vector>
 
