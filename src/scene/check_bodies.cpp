@@ -1,0 +1,59 @@
+// Checks of bodies: names, what they refer to, and what their material allows.
+#include <map>
+
+#include "check_scene.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Names that head columns of history.csv share one name space.
+void check_owner_names(const Scene& scene, Report& report) {
+  std::map<std::string, std::string> owner;
+  for (const char* name : kWholeOwners) owner.emplace(name, "the columns about the whole scene");
+  const auto claim = [&](const std::string& name, const std::string& key) {
+    if (name.empty()) return;
+    const auto [place, is_new] = owner.emplace(name, key);
+    if (!is_new)
+      report.add(key + ".name", '"' + name + "\", already the name of " + place->second,
+                 "a name that no other body, membrane or probe has");
+  };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) claim(scene.bodies[i].name, report.element("bodies", i));
+  for (std::size_t i = 0; i < scene.membranes.size(); ++i)
+    claim(scene.membranes[i].name, report.element("membranes", i));
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    claim(std::visit([](const auto& probe) { return probe.name; }, scene.probes[i].probe), report.element("probes", i));
+  }
+}
+
+void check_minus(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  for (const std::string& cut : body.minus) {
+    if (cut == body.name) {
+      report.add(key + ".minus", '"' + cut + "\", the body itself", "names of other bodies");
+    } else {
+      check_reference(key + ".minus", cut, names_of(scene.bodies), "bodies", report);
+    }
+  }
+}
+
+void check_shift(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  if (body.shift && material && report.healthy("materials." + material->name + ".model") &&
+      !std::holds_alternative<NewtonianSpec>(material->model)) {
+    report.add(key + ".shift", "true for a body of \"" + body.material + '"',
+               "false, unless the material is newtonian");
+  }
+}
+
+}  // namespace
+
+void check_bodies(const Scene& scene, Report& report) {
+  check_owner_names(scene, report);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::string& key = report.element("bodies", i);
+    check_reference(key + ".material", scene.bodies[i].material, names_of(scene.materials), "materials", report);
+    check_minus(scene, scene.bodies[i], key, report);
+    check_shift(scene, scene.bodies[i], key, report);
+  }
+}
+
+}  // namespace geodrop

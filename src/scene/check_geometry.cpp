@@ -1,0 +1,201 @@
+// Checks of where bodies are: sound shapes, inside the domain, not empty, no two on the same place.
+#include <algorithm>
+#include <cmath>
+#include <geodrop/shapes.hpp>
+
+#include "check_scene.hpp"
+
+namespace geodrop {
+namespace {
+
+double cross(const Point& o, const Point& a, const Point& b) {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
+}
+
+bool crosses_itself(const std::vector<Point>& points) {
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (segments_cross(points[i], points[i + 1], points[j], points[(j + 1) % n])) return true;
+    }
+  }
+  return false;
+}
+
+void check_box(const BoxShape& box, const std::string& key, Report& report) {
+  for (std::size_t a = 0; a < box.lower.size(); ++a) {
+    if (box.upper[a] > box.lower[a]) continue;
+    report.add(key + ".upper", to_text(box.upper), "larger than lower " + to_text(box.lower) + " along each axis");
+    return;
+  }
+}
+
+void check_polygon(const PolygonShape& polygon, const std::string& key, Report& report) {
+  if (polygon.points.size() < 3) {
+    report.add(key + ".points", std::to_string(polygon.points.size()) + " points", "at least 3 points");
+  } else if (crosses_itself(polygon.points)) {
+    report.add(key + ".points", "an outline that crosses itself", "a polygon that does not cross itself");
+  } else if (area(polygon) <= 0) {
+    report.add(key + ".points", "a polygon without area", "points that are not all on one line");
+  }
+}
+
+void check_shape(const BodySpec& body, const std::string& key, Report& report) {
+  if (!report.healthy(key)) return;
+  if (const auto* box = std::get_if<BoxShape>(&body.shape)) check_box(*box, key, report);
+  if (const auto* polygon = std::get_if<PolygonShape>(&body.shape)) check_polygon(*polygon, key, report);
+  const auto* half = std::get_if<HalfPlaneShape>(&body.shape);
+  if (half && !shape_is_sound(body.shape))
+    report.add(key + ".normal", to_text(half->normal), "a vector that is not zero");
+}
+
+/// The part of a body that is looked at: its box within the domain.
+Bounds common(const Bounds& a, const Bounds& b) {
+  Bounds box = a;
+  for (std::size_t axis = 0; axis < box.lower.size(); ++axis) {
+    box.lower[axis] = std::max(a.lower[axis], b.lower[axis]);
+    box.upper[axis] = std::min(a.upper[axis], b.upper[axis]);
+  }
+  return box;
+}
+
+/// Visits an even lattice of points in a box, about `per_cell` of them along each axis of a cell, until `visit` says
+/// stop. The offset within the lattice keeps points off edges at simple fractions. Returns the area per point [m2].
+template <class Visit>
+double sample(const Bounds& box, double spacing, Visit visit) {
+  constexpr double kPerCell = 16, kMost = 600;  // along each axis
+  constexpr double kOffsetX = 0.381966, kOffsetY = 0.618034;
+  const double width = box.upper[0] - box.lower[0], height = box.upper[1] - box.lower[1];
+  const int nx = static_cast<int>(std::clamp(std::ceil(width / spacing * kPerCell), 1.0, kMost));
+  const int ny = static_cast<int>(std::clamp(std::ceil(height / spacing * kPerCell), 1.0, kMost));
+  Point x(2);
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      x[0] = box.lower[0] + (i + kOffsetX) * width / nx;
+      x[1] = box.lower[1] + (j + kOffsetY) * height / ny;
+      if (!visit(x)) return width * height / nx / ny;
+    }
+  }
+  return width * height / nx / ny;
+}
+
+bool is_empty(const Bounds& box, double spacing) {
+  constexpr double kRounding = 1e-6;  // of a cell
+  return box.upper[0] - box.lower[0] < kRounding * spacing || box.upper[1] - box.lower[1] < kRounding * spacing;
+}
+
+class PlacementCheck {
+ public:
+  PlacementCheck(const Scene& scene, Report& report)
+      : scene_(scene), report_(report), domain_{scene.grid.lower, scene.grid.upper}, h_(scene.grid.spacing) {}
+
+  void run() {
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+      if (!is_ready(i)) continue;
+      if (!check_inside(i) || !check_not_empty(i)) continue;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (is_ready(j)) check_overlap(i, j);
+      }
+    }
+  }
+
+ private:
+  const BodySpec& body(std::size_t i) const { return scene_.bodies[i]; }
+  std::string key(std::size_t i) const { return report_.element("bodies", i); }
+
+  bool is_ready(std::size_t i) const {
+    return report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus");
+  }
+
+  bool covers(std::size_t i, const Point& x) const {
+    if (!contains(body(i).shape, x)) return false;
+    return std::none_of(body(i).minus.begin(), body(i).minus.end(), [&](const std::string& name) {
+      const BodySpec* cut = find_body(scene_, name);
+      return cut && shape_is_sound(cut->shape) && contains(cut->shape, x);
+    });
+  }
+
+  bool check_inside(std::size_t i) {
+    if (std::holds_alternative<HalfPlaneShape>(body(i).shape)) return true;  // is cut off by the domain
+    constexpr double kRounding = 1e-6;                                       // of a cell
+    const Bounds box = bounds(body(i).shape);
+    for (std::size_t a = 0; a < box.lower.size(); ++a) {
+      if (box.lower[a] >= domain_.lower[a] - kRounding * h_ && box.upper[a] <= domain_.upper[a] + kRounding * h_)
+        continue;
+      report_.add(key(i) + ".shape", "a body from " + to_text(box.lower) + " to " + to_text(box.upper),
+                  "a body inside the grid, from " + to_text(domain_.lower) + " to " + to_text(domain_.upper) + " [m]");
+      return false;
+    }
+    return true;
+  }
+
+  bool check_not_empty(std::size_t i) {
+    const Bounds box = common(bounds(body(i).shape), domain_);
+    bool found = false;
+    if (!is_empty(box, h_)) {
+      sample(box, h_, [&](const Point& x) {
+        found = covers(i, x);
+        return !found;
+      });
+    }
+    if (!found)
+      report_.add(key(i) + ".shape", "a body of which nothing is left",
+                  "a shape that has area inside the grid and outside the bodies in minus");
+    return found;
+  }
+
+  void check_overlap(std::size_t i, std::size_t j) {
+    constexpr double kAllowed = 0.01;  // of a cell's area: below any particle
+    const Bounds box = common(common(bounds(body(i).shape), bounds(body(j).shape)), domain_);
+    if (is_empty(box, h_)) return;
+    int hits = 0;
+    Point where;
+    const double area_per_point = sample(box, h_, [&](const Point& x) {
+      if (covers(i, x) && covers(j, x) && hits++ == 0) where = x;
+      return true;
+    });
+    if (hits * area_per_point <= kAllowed * h_ * h_) return;
+    report_.add(key(i) + ".shape",
+                "a body that overlaps \"" + body(j).name + "\" by about " + to_text(round_to_3(hits * area_per_point)) +
+                    " m2, e.g. at " + to_text(Point{round_to_3(where[0]), round_to_3(where[1])}),
+                "bodies that do not overlap; minus = [\"" + body(j).name + "\"] cuts one out of the other");
+  }
+
+  /// Three digits are enough for a message.
+  static double round_to_3(double value) {
+    if (value == 0) return 0;
+    const double digits = 2 - std::floor(std::log10(std::abs(value)));
+    return std::round(value * std::pow(10, digits)) / std::pow(10, digits);
+  }
+
+  const Scene& scene_;
+  Report& report_;
+  Bounds domain_;
+  double h_;
+};
+
+}  // namespace
+
+bool shape_is_sound(const Shape& shape) {
+  if (const auto* polygon = std::get_if<PolygonShape>(&shape)) return polygon->points.size() >= 3;
+  if (const auto* ellipse = std::get_if<EllipseShape>(&shape))
+    return ellipse->centre.size() >= 2 && ellipse->semi_axes.size() == ellipse->centre.size();
+  if (const auto* box = std::get_if<BoxShape>(&shape))
+    return box->lower.size() >= 2 && box->upper.size() == box->lower.size();
+  const auto& half = std::get<HalfPlaneShape>(shape);
+  const bool has_normal = std::any_of(half.normal.begin(), half.normal.end(), [](double n) { return n != 0; });
+  return half.point.size() >= 2 && half.normal.size() == half.point.size() && has_normal;
+}
+
+void check_geometry(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    check_shape(scene.bodies[i], report.element("bodies", i) + ".shape", report);
+  // A domain or a dimension that is wrong would make every body wrong.
+  if (report.healthy("grid") && report.healthy("dimension")) PlacementCheck(scene, report).run();
+}
+
+}  // namespace geodrop

@@ -1,0 +1,94 @@
+// Checks of probes, results and expectations: what they refer to exists, names end in their unit.
+#include <algorithm>
+#include <geodrop/scene_reader.hpp>
+#include <set>
+
+#include "check_scene.hpp"
+#include "check_value.hpp"
+#include "key_table.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Bodies, membranes and probes have columns "name.quantity", as the whole has.
+std::vector<std::string> column_owners(const Scene& scene) {
+  std::vector<std::string> owners = names_of(scene.bodies);
+  const std::vector<std::string> membranes = names_of(scene.membranes);
+  owners.insert(owners.end(), membranes.begin(), membranes.end());
+  for (const ProbeSpec& probe : scene.probes) {
+    const std::string name = std::visit([](const auto& p) { return p.name; }, probe.probe);
+    if (!name.empty()) owners.push_back(name);
+  }
+  owners.insert(owners.end(), std::begin(kWholeOwners), std::end(kWholeOwners));
+  return owners;
+}
+
+void check_column(const Scene& scene, const std::string& key, const std::string& column, Report& report) {
+  if (!report.healthy(key)) return;
+  const std::vector<std::string> parts = split(column, '.');
+  const bool formed = parts.size() <= 2 && std::all_of(parts.begin(), parts.end(), is_identifier);
+  if (!formed) {
+    report.add(key, '"' + column + '"',
+               "a column of history.csv: QUANTITY or NAME.QUANTITY, e.g. container.velocity_y_m_s");
+  } else if (parts.size() == 2) {
+    check_reference(key, parts[0], column_owners(scene), "bodies, membranes or probes", report);
+  }
+}
+
+void check_result(const Scene& scene, const ResultSpec& result, const std::string& key, Report& report) {
+  if (report.healthy(key + ".name") && unit_of_name(result.name).empty()) {
+    report.add(key + ".name", '"' + result.name + '"',
+               "a name that ends in its unit, e.g. _m, _m_s, _Pa, _N_m, _s, or _ratio");
+  }
+  check_column(scene, key + ".column", result.column, report);
+  if (result.reduce == Reduction::r_squared) check_column(scene, key + ".against", result.against, report);
+  if (report.healthy(key + ".from") && report.healthy(key + ".to") && result.from > result.to) {
+    report.add(key + ".to", to_text(result.to), "at least from = " + to_text(result.from) + " [s]");
+  }
+  const bool lists =
+      result.reduce == Reduction::rms_difference && report.healthy(key + ".times") && report.healthy(key + ".values");
+  if (lists && (result.times.empty() || result.times.size() != result.values.size())) {
+    report.add(key + ".values",
+               std::to_string(result.values.size()) + " values for " + std::to_string(result.times.size()) + " times",
+               "one value for each time, at least one");
+  }
+}
+
+void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& key, Report& report) {
+  if (const auto* still = std::get_if<HydrostaticProbeSpec>(&probe.probe)) {
+    check_reference(key + ".body", still->body, names_of(scene.bodies), "bodies", report);
+    check_fluid(scene, key + ".fluid", still->still.fluid, report);
+    return;
+  }
+  const auto& tracer = std::get<TracerSpec>(probe.probe);
+  if (!report.healthy(key) || !report.healthy("grid") || tracer.position.size() != scene.grid.lower.size()) return;
+  for (std::size_t a = 0; a < tracer.position.size(); ++a) {
+    if (tracer.position[a] >= scene.grid.lower[a] && tracer.position[a] <= scene.grid.upper[a]) continue;
+    report.add(
+        key + ".position", to_text(tracer.position),
+        "a point inside the grid, from " + to_text(scene.grid.lower) + " to " + to_text(scene.grid.upper) + " [m]");
+    return;
+  }
+}
+
+}  // namespace
+
+void check_measurements(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.probes.size(); ++i)
+    check_probe(scene, scene.probes[i], report.element("probes", i), report);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < scene.results.size(); ++i) {
+    const std::string& key = report.element("results", i);
+    check_result(scene, scene.results[i], key, report);
+    if (!scene.results[i].name.empty() && !names.insert(scene.results[i].name).second) {
+      report.add(key + ".name", '"' + scene.results[i].name + "\", the name of another result",
+                 "a name that no other result has");
+    }
+  }
+  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
+    check_reference(report.element("expect", i) + ".result", scene.expect[i].result, names_of(scene.results), "results",
+                    report);
+  }
+}
+
+}  // namespace geodrop

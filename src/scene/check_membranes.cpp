@@ -1,0 +1,53 @@
+// Checks of membranes: they lie on the outline of their body.
+#include <geodrop/shapes.hpp>
+
+#include "check_scene.hpp"
+
+namespace geodrop {
+namespace {
+
+void check_count(const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const std::size_t count = membrane.points.size();
+  const std::string found = std::to_string(count) + " points";
+  if (!membrane.closed && count < 2)
+    report.add(key + ".points", found, "at least 2 points of a membrane with closed = false");
+  if (membrane.closed && count > 0 && count < 3)
+    report.add(key + ".points", found, "none (the whole outline) or at least 3 points of a closed membrane");
+  for (std::size_t i = 1; i < count; ++i) {
+    if (membrane.points[i] == membrane.points[i - 1])
+      report.add(key + ".points", "the point " + to_text(membrane.points[i]) + " twice in a row", "different points");
+  }
+}
+
+void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (!body || !shape_is_sound(body->shape)) return;
+  if (std::holds_alternative<HalfPlaneShape>(body->shape) && membrane.points.empty()) {
+    report.add(key + ".points", "no points",
+               "points on the boundary of \"" + membrane.body + "\": a half-plane has no closed outline");
+  }
+  const double tolerance = scene.grid.spacing / 10;
+  for (const Point& point : membrane.points) {
+    const double distance = distance_to_outline(body->shape, point);
+    if (distance <= tolerance) continue;
+    report.add(
+        key + ".points", "the point " + to_text(point) + ", which is " + to_text(distance) + " m off",
+        "points within a tenth of a cell, " + to_text(tolerance) + " m, of the outline of \"" + membrane.body + '"');
+    return;
+  }
+}
+
+}  // namespace
+
+void check_membranes(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.membranes.size(); ++i) {
+    const MembraneSpec& membrane = scene.membranes[i];
+    const std::string& key = report.element("membranes", i);
+    const bool known = check_reference(key + ".body", membrane.body, names_of(scene.bodies), "bodies", report);
+    if (!report.healthy(key + ".points") || !report.healthy(key + ".closed") || !report.healthy("dimension")) continue;
+    check_count(membrane, key, report);
+    if (known && report.healthy("grid.spacing")) check_on_outline(scene, membrane, key, report);
+  }
+}
+
+}  // namespace geodrop

@@ -1,0 +1,67 @@
+#include "check_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nearest_name.hpp"
+
+namespace geodrop {
+namespace {
+
+template <class List>
+auto find_by_name(const List& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& element) { return element.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const MaterialSpec* find_material(const Scene& scene, const std::string& name) {
+  return find_by_name(scene.materials, name);
+}
+const BodySpec* find_body(const Scene& scene, const std::string& name) { return find_by_name(scene.bodies, name); }
+
+bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,
+                     const char* kind, Report& report) {
+  if (name.empty() || !report.healthy(key)) return false;
+  if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+  report.add(key, '"' + name + '"', name_advice(name, known, kind));
+  return false;
+}
+
+void check_grid(const Scene& scene, Report& report) {
+  if (!report.healthy("grid.lower") || !report.healthy("grid.upper") || !report.healthy("grid.spacing") ||
+      !report.healthy("grid"))
+    return;
+  constexpr double kRounding = 1e-6;  // of a cell: 0.1 m does not divide 17 m exactly in binary
+  constexpr double kMostCells = 2147483647.0;
+  const GridSpec& grid = scene.grid;
+  double cells = 1;
+  for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) {
+    const std::string length = to_text(grid.upper[axis] - grid.lower[axis]) + " m along " + std::string(1, "xyz"[axis]);
+    const double count = (grid.upper[axis] - grid.lower[axis]) / grid.spacing;
+    cells *= count;
+    if (count <= 0) {
+      report.add("grid.upper", to_text(grid.upper),
+                 "larger than grid.lower " + to_text(grid.lower) + " along each axis");
+    } else if (std::abs(count - std::round(count)) > kRounding * std::max(1.0, count * kRounding) ||
+               count < 1 - kRounding) {
+      const double nearest = (grid.upper[axis] - grid.lower[axis]) / std::max(1.0, std::round(count));
+      report.add("grid.spacing", to_text(grid.spacing),
+                 "a spacing that divides the domain, " + length + "; the nearest is " + to_text(nearest) + " [m]");
+    }
+  }
+  if (cells > kMostCells) report.add("grid.spacing", to_text(grid.spacing), "at most 2147483647 cells in the domain");
+}
+
+void check_scene(const Scene& scene, Report& report) {
+  check_grid(scene, report);
+  check_materials(scene, report);
+  check_bodies(scene, report);
+  check_initial_stress(scene, report);
+  check_geometry(scene, report);
+  check_membranes(scene, report);
+  check_measurements(scene, report);
+}
+
+}  // namespace geodrop

@@ -1,0 +1,50 @@
+// Cross-checks: what a single key cannot tell. Each looks only at keys that are right in themselves.
+#pragma once
+
+#include <geodrop/scene.hpp>
+#include <string>
+#include <vector>
+
+#include "report.hpp"
+#include "to_text.hpp"
+
+namespace geodrop {
+
+/// All of the checks below.
+void check_scene(const Scene& scene, Report& report);
+
+void check_grid(const Scene& scene, Report& report);
+void check_materials(const Scene& scene, Report& report);
+void check_bodies(const Scene& scene, Report& report);
+void check_initial_stress(const Scene& scene, Report& report);
+void check_geometry(const Scene& scene, Report& report);
+void check_membranes(const Scene& scene, Report& report);
+void check_measurements(const Scene& scene, Report& report);
+
+/// Owners of columns about the whole scene; no body, membrane or probe has such a name.
+inline constexpr const char* kWholeOwners[] = {"energy", "total"};
+
+const MaterialSpec* find_material(const Scene& scene, const std::string& name);
+const BodySpec* find_body(const Scene& scene, const std::string& name);
+
+/// The names of a list of bodies, materials, membranes or results, without empty ones.
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& element : list) {
+    if (!element.name.empty()) names.push_back(element.name);
+  }
+  return names;
+}
+
+/// Reports a name that is not among the known ones; says whether it is.
+bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,
+                     const char* kind, Report& report);
+
+/// The same for a name that must be a newtonian material.
+bool check_fluid(const Scene& scene, const std::string& key, const std::string& name, Report& report);
+
+/// The shape has what its geometry needs (it may still be off the grid, or empty).
+bool shape_is_sound(const Shape& shape);
+
+}  // namespace geodrop

@@ -1,0 +1,28 @@
+// Checks one value (not a table) against its row of the table of keys.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+
+#include "key_table.hpp"
+
+namespace geodrop {
+
+inline constexpr std::string_view kIdentifierText = "letters, digits and '_', beginning with a letter";
+bool is_identifier(std::string_view word);
+
+struct ValueCheck {
+  bool ok = true;
+  std::string found;  ///< what is wrong with it, for the message
+};
+ValueCheck check_value(const Key& key, const toml::node& node, int dimension);
+
+/// "a number > 0 [Pa]", "a list of 2 numbers", ...
+std::string describe_allowed(const Key& key, int dimension);
+
+/// "type=box|ellipse" as "type = "box" or "ellipse"".
+std::string readable_condition(std::string_view when);
+
+}  // namespace geodrop

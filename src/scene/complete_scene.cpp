@@ -1,0 +1,204 @@
+#include "complete_scene.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "check_value.hpp"
+#include "nearest_name.hpp"
+#include "to_text.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Walks one table; elements of lists and sub-tables are walked by walkers of their own.
+class TableWalker {
+ public:
+  TableWalker(const toml::table& written, std::string_view section, std::string path, int dimension, Report& report)
+      : written_(written), section_(section), path_(std::move(path)), dimension_(dimension), report_(report) {}
+
+  toml::table complete() {
+    for (const Key* key : keys_of(section_)) {
+      const Condition condition = holds(key->when);
+      if (condition == Condition::yes) take(*key);
+      if (condition == Condition::unknown) undecided_.insert(std::string(key->name));
+    }
+    report_strays();
+    return std::move(out_);
+  }
+
+ private:
+  enum class Condition { yes, no, unknown };
+
+  std::string path_of(std::string_view name) const { return join_path(path_, name); }
+
+  /// `unknown` if the key that decides is itself wrong: then nothing is said about what depends on it.
+  Condition holds(std::string_view when) const {
+    if (when.empty()) return Condition::yes;
+    const std::string decider(when.substr(0, when.find('=')));
+    if (undecided_.contains(decider)) return Condition::unknown;
+    const auto value = out_[decider].value<std::string>();
+    const std::vector<std::string> words = split(when.substr(decider.size() + 1), '|');
+    return value && std::find(words.begin(), words.end(), *value) != words.end() ? Condition::yes : Condition::no;
+  }
+
+  void take(const Key& key) {
+    const std::string path = path_of(key.name);
+    const toml::node* node = written_.get(key.name);
+    if (node && key.need.how == Need::How::instead_of && written_.contains(key.need.text)) {
+      node = nullptr;
+      report_.add_at(to_ref(written_.get(key.name)->source()), path,
+                     "both " + std::string(key.name) + " and " + std::string(key.need.text), "exactly one of them");
+      undecided_.insert(std::string(key.name));
+      return;
+    }
+    if (node) {
+      report_.place(path, to_ref(node->source()));
+      if (!accept(key, *node, path)) undecided_.insert(std::string(key.name));
+    } else {
+      take_missing(key, path);
+    }
+  }
+
+  void take_missing(const Key& key, const std::string& path) {
+    if (key.need.how == Need::How::standard) {
+      const toml::table parsed = toml::parse("x = " + std::string(key.need.text));
+      accept(key, *parsed.get("x"), path);
+      return;
+    }
+    if (key.need.how == Need::How::instead_of) {
+      const std::string other(key.need.text);
+      // Said once for the two, at the first of them in the table.
+      if (written_.contains(other) || undecided_.contains(other)) return;
+      undecided_.insert(std::string(key.name));
+      report_.add(path, "neither " + std::string(key.name) + " nor " + other, "exactly one of them");
+      return;
+    }
+    undecided_.insert(std::string(key.name));
+    report_.add(path, "nothing: the key is missing", describe_allowed(key, dimension_));
+  }
+
+  bool accept(const Key& key, const toml::node& node, const std::string& path) {
+    switch (key.kind) {
+      case Kind::table:
+        return accept_table(key, node, path);
+      case Kind::named_tables:
+        return accept_named(key, node, path);
+      case Kind::table_list:
+        return accept_list(key, node, path);
+      default:
+        break;
+    }
+    const ValueCheck check = check_value(key, node, dimension_);
+    if (!check.ok) {
+      report_.add(path, check.found, describe_allowed(key, dimension_));
+      return false;
+    }
+    insert(out_, key.name, node);
+    return true;
+  }
+
+  static void insert(toml::table& target, std::string_view name, const toml::node& node) {
+    node.visit([&](const auto& value) { target.insert_or_assign(name, value); });
+  }
+
+  bool accept_table(const Key& key, const toml::node& node, const std::string& path) {
+    const toml::table* table = node.as_table();
+    if (!table) return wrong_form(key, node, path);
+    TableWalker walker(*table, join_path(section_, key.name), path, dimension_, report_);
+    out_.insert_or_assign(key.name, walker.complete());
+    return true;
+  }
+
+  bool accept_named(const Key& key, const toml::node& node, const std::string& path) {
+    const toml::table* tables = node.as_table();
+    if (!tables || tables->empty()) return wrong_form(key, node, path);
+    toml::table named;
+    for (const auto& [name, element] : *tables) {
+      const std::string element_path = join_path(path, name.str());
+      report_.place(element_path, to_ref(element.source()));
+      if (!is_identifier(name.str())) {
+        report_.add_at(to_ref(name.source()), element_path, '"' + std::string(name.str()) + '"',
+                       "a name of " + std::string(kIdentifierText));
+      } else if (const toml::table* table = element.as_table()) {
+        named.insert_or_assign(name.str(), TableWalker(*table, key.name, element_path, dimension_, report_).complete());
+      } else {
+        wrong_form(key, element, element_path);
+      }
+    }
+    out_.insert_or_assign(key.name, std::move(named));
+    return true;
+  }
+
+  bool accept_list(const Key& key, const toml::node& node, const std::string& path) {
+    const toml::array* list = node.as_array();
+    const auto is_table = [](const toml::node& element) { return element.is_table(); };
+    if (!list || !std::all_of(list->begin(), list->end(), is_table) ||
+        !key.allowed.holds(static_cast<double>(list->size()))) {
+      return wrong_form(key, node, path);
+    }
+    toml::array completed;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const toml::table& table = *list->get(i)->as_table();
+      const std::string element_path = join_path(path, element_name(key, table, i, names));
+      report_.place(element_path, to_ref(table.source()));
+      report_.add_element(path, element_path);
+      completed.push_back(TableWalker(table, key.name, element_path, dimension_, report_).complete());
+    }
+    out_.insert_or_assign(key.name, std::move(completed));
+    return true;
+  }
+
+  /// The element's own name if it has one that no element before it has, else its index.
+  static std::string element_name(const Key& key, const toml::table& table, std::size_t index,
+                                  std::set<std::string>& names) {
+    const auto name = table[find_section(key.name).id_key].value<std::string>();
+    return name && is_identifier(*name) && names.insert(*name).second ? *name : std::to_string(index);
+  }
+
+  bool wrong_form(const Key& key, const toml::node& node, const std::string& path) {
+    report_.add(path, to_text(node), describe_allowed(key, dimension_));
+    return false;
+  }
+
+  void report_strays() {
+    for (const auto& [name, node] : written_) {
+      if (out_.contains(name.str()) || undecided_.contains(std::string(name.str()))) continue;
+      std::vector<std::string> known, conditions;
+      for (const Key* key : keys_of(section_)) {
+        if (holds(key->when) != Condition::no && (known.empty() || known.back() != key->name))
+          known.emplace_back(key->name);
+        if (key->name == name.str()) conditions.emplace_back(key->when);
+      }
+      const SourceRef at =
+          to_ref(node.source().path && *node.source().path == kOverrideSource ? node.source() : name.source());
+      const std::string path = path_of(name.str());
+      if (conditions.empty()) {
+        report_.add_at(at, path, "an unknown key", name_advice(name.str(), known, "keys here"));
+      } else {
+        std::string uses = readable_condition(conditions.front());
+        for (std::size_t i = 1; i < conditions.size(); ++i) uses += " or " + readable_condition(conditions[i]);
+        report_.add_at(at, path, "a key that does not apply here", "only with " + uses);
+      }
+    }
+  }
+
+  const toml::table& written_;
+  std::string section_;
+  std::string path_;
+  int dimension_;
+  Report& report_;
+  toml::table out_;
+  std::set<std::string> undecided_;  ///< keys that are wrong, or depend on one that is
+};
+
+}  // namespace
+
+toml::table complete_scene(const toml::table& written, Report& report) {
+  report.place("", {1, 1});
+  // Points are judged by the dimension that the scene asks for, even though only 2 is accepted as its value.
+  const int dimension = written["dimension"].value_or(2) == 3 ? 3 : 2;
+  return TableWalker(written, "", "", dimension, report).complete();
+}
+
+}  // namespace geodrop

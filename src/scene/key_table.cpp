@@ -1,0 +1,229 @@
+#include "key_table.hpp"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace geodrop {
+namespace {
+
+using enum Kind;
+
+constexpr Need required{Need::How::required};
+constexpr Need standard(std::string_view toml) { return {Need::How::standard, toml}; }
+constexpr Need instead_of(std::string_view other) { return {Need::How::instead_of, other}; }
+
+constexpr Range any{"any finite number", [](double) { return true; }};
+constexpr Range positive{"> 0", [](double x) { return x > 0; }};
+constexpr Range not_negative{">= 0", [](double x) { return x >= 0; }};
+constexpr Range not_zero{"not 0", [](double x) { return x != 0; }};
+constexpr Range fraction{"> 0 and < 1", [](double x) { return x > 0 && x < 1; }};
+constexpr Range half{">= 0 and <= 0.5", [](double x) { return x >= 0 && x <= 0.5; }};
+constexpr Range poisson{"> -1 and < 0.5", [](double x) { return x > -1 && x < 0.5; }};
+constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
+constexpr Range courant_range{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
+constexpr Range percent{">= 0 and <= 100", [](double x) { return x >= 0 && x <= 100; }};
+constexpr Range plane{"2 (three-dimensional scenes are not supported yet)", [](double x) { return x == 2; }};
+constexpr Range per_axis{"1 to 8", [](double x) { return x >= 1 && x <= 8; }};
+constexpr Range bands{"1 to 255", [](double x) { return x >= 1 && x <= 255; }};
+constexpr Range window{"0 to 16", [](double x) { return x >= 0 && x <= 16; }};
+constexpr Range dense{">= 2 (fluid leaks between nodes that are farther apart)", [](double x) { return x >= 2; }};
+constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
+constexpr Range filled{"not empty", [](double length) { return length > 0; }};
+constexpr Range free_text{"any text", [](double) { return true; }};
+constexpr Range some{"at least one", [](double length) { return length > 0; }};
+constexpr Range maybe_none{"may be empty", [](double) { return true; }};
+constexpr Range one_table{"a table", [](double) { return true; }};
+constexpr Range identifier{"letters, digits and '_', beginning with a letter", nullptr};
+constexpr Range reference{"the name of one in the scene", nullptr};
+constexpr Range yes_no{"true or false", nullptr};
+constexpr Range words(std::string_view choices) { return {choices}; }
+
+constexpr Section sections[] = {
+    {"", "Top level", "", "What the scene is about, and its tables."},
+    {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
+    {"walls", "[walls]", "", "How the four edges of the domain hold what touches them."},
+    {"solver", "[solver]", "", "The scheme."},
+    {"time", "[time]", "", "How long to run."},
+    {"output", "[output]", "", "What is written, how often."},
+    {"materials", "[materials.NAME]", "", "One table for each material; NAME is what bodies refer to."},
+    {"bodies", "[[bodies]]", "name", "One table for each body: a shape filled with particles of one material."},
+    {"bodies.shape", "shape of a body", "", "An inline table; `type` says which keys it has."},
+    {"bodies.initial_velocity", "initial_velocity of a body", "", "An inline table; `type` says which keys it has."},
+    {"bodies.initial_stress", "initial_stress of a body", "", "An inline table; `type` says which keys it has."},
+    {"membranes", "[[membranes]]", "name", "Tension-only geotextiles on the outline of a body."},
+    {"probes", "[[probes]]", "name", "What is measured beside the standard columns of history.csv."},
+    {"results", "[[results]]", "name", "Numbers that a run ends with: a column of history.csv reduced to one value."},
+    {"expect", "[[expect]]", "result", "What a result should be, and says who; a run prints both side by side."},
+};
+
+// Columns: section, key, kind, unit, condition, need, allowed, meaning. A key that decides about others (type, model,
+// drainage) stands before them.
+// clang-format off
+constexpr Key keys[] = {
+    {"", "title", text, "", "", required, filled, "what the scene shows, in a few words"},
+    {"", "question", text, "", "", standard("\"\""), free_text, "what this case asks"},
+    {"", "dimension", integer, "", "", standard("2"), plane, "2: plane strain, per metre of depth"},
+    {"", "gravity", point, "m/s2", "", required, any, "acceleration of gravity"},
+    {"", "grid", table, "", "", required, one_table, "the domain and its cells"},
+    {"", "walls", table, "", "", required, one_table, "the edges of the domain"},
+    {"", "solver", table, "", "", required, one_table, "the scheme"},
+    {"", "time", table, "", "", required, one_table, "how long to run"},
+    {"", "output", table, "", "", required, one_table, "what is written"},
+    {"", "materials", named_tables, "", "", required, some, "the materials by name"},
+    {"", "bodies", table_list, "", "", required, some, "what fills the domain"},
+    {"", "membranes", table_list, "", "", standard("[]"), maybe_none, "geotextiles"},
+    {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
+    {"", "results", table_list, "", "", standard("[]"), maybe_none, "numbers that the run ends with"},
+    {"", "expect", table_list, "", "", standard("[]"), maybe_none, "what the results should be"},
+
+    {"grid", "lower", point, "m", "", required, any, "lower corner of the domain"},
+    {"grid", "upper", point, "m", "", required, any, "upper corner of the domain"},
+    {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain"},
+    {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2"), "shape functions: quadratic B-splines"},
+
+    {"walls", "left", choice, "", "", required, words("slip|no_slip"), "wall at the lower x"},
+    {"walls", "right", choice, "", "", required, words("slip|no_slip"), "wall at the upper x"},
+    {"walls", "bottom", choice, "", "", required, words("slip|no_slip"), "wall at the lower y"},
+    {"walls", "top", choice, "", "", required, words("slip|no_slip"), "wall at the upper y"},
+
+    {"solver", "transfer", choice, "", "", required, words("apic|blend"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own"},
+    {"solver", "blend_rate", real, "1/s", "transfer=blend", required, positive, "lambda; particles keep exp(-lambda dt) of their own velocity each step"},
+    {"solver", "courant", real, "", "", standard("0.5"), courant_range, "C in dt = C h / (c + v)"},
+    {"solver", "damping_rate", real, "1/s", "", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"},
+
+    {"time", "end", real, "s", "", required, positive, "simulated time"},
+
+    {"output", "frame_interval", real, "s", "", required, positive, "time between pictures (VTU frames)"},
+    {"output", "history_interval", real, "s", "", required, positive, "time between rows of history.csv"},
+    {"output", "compress", boolean, "", "", standard("false"), yes_no, "compress the VTU files"},
+
+    {"materials", "model", choice, "", "", required, words("newtonian|linear_elastic|mohr_coulomb"), "constitutive law"},
+    {"materials", "density", real, "kg/m3", "", required, positive, "of a fluid: at zero pressure; of a soil: of the mixture at the start"},
+    {"materials", "bulk_modulus", real, "Pa", "model=newtonian", instead_of("sound_speed"), positive, "K in p = K (rho / rho0 - 1)"},
+    {"materials", "sound_speed", real, "m/s", "model=newtonian", instead_of("bulk_modulus"), positive, "c, gives K = rho0 c^2; may be reduced where its error is known"},
+    {"materials", "viscosity", real, "Pa s", "model=newtonian", required, not_negative, "dynamic viscosity"},
+    {"materials", "youngs_modulus", real, "Pa", "model=linear_elastic|mohr_coulomb", required, positive, "Young's modulus (of the skeleton)"},
+    {"materials", "poissons_ratio", real, "", "model=linear_elastic|mohr_coulomb", required, poisson, "Poisson's ratio (of the skeleton)"},
+    {"materials", "cohesion", real, "Pa", "model=mohr_coulomb", required, not_negative, "c"},
+    {"materials", "friction_angle_deg", real, "degree", "model=mohr_coulomb", required, angle, "phi"},
+    {"materials", "dilatancy_angle_deg", real, "degree", "model=mohr_coulomb", required, angle, "psi, at most phi"},
+    {"materials", "tension_cutoff", real, "Pa", "model=mohr_coulomb", required, not_negative, "largest principal effective stress, at most c cot(phi)"},
+    {"materials", "drainage", choice, "", "model=mohr_coulomb", required, words("drained|undrained"), "undrained: pore water moves with the skeleton"},
+    {"materials", "porosity", real, "", "drainage=undrained", required, fraction, "n"},
+    {"materials", "fluid_bulk_modulus", real, "Pa", "drainage=undrained", required, positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton"},
+
+    {"bodies", "name", name, "", "", required, identifier, "heads the body's columns in history.csv"},
+    {"bodies", "material", name, "", "", required, reference, "a name in materials"},
+    {"bodies", "shape", table, "", "", required, one_table, "where the body is at the start"},
+    {"bodies", "minus", names, "", "", standard("[]"), reference, "bodies whose shapes are cut out of this one"},
+    {"bodies", "particles_per_cell_axis", integer, "", "", standard("2"), per_axis, "particles per cell along each axis"},
+    {"bodies", "jitter", real, "", "", standard("0.0"), half, "random offset of the particles, as a fraction of their spacing"},
+    {"bodies", "jitter_seed", integer, "", "", standard("0"), not_negative, "seed of the random offsets"},
+    {"bodies", "initial_velocity", table, "", "", standard("{ type = \"rest\" }"), one_table, "velocity at the start"},
+    {"bodies", "initial_stress", table, "", "", required, one_table, "stress at the start"},
+    {"bodies", "pressure", choice, "", "", standard("\"cell\""), words("cell|particle"), "where the mean stress acts from: the average of the cell, or each particle"},
+    {"bodies", "layers", integer, "", "", standard("1"), bands, "horizontal bands that colour the picture"},
+    {"bodies", "shift", boolean, "", "", standard("false"), yes_no, "move particles out of clumps and into voids (fluids only)"},
+    {"bodies", "shift_speed", real, "m/s", "", standard("0.0"), not_negative, "v0, shifting of a particle at rest"},
+
+    {"bodies.shape", "type", choice, "", "", required, words("box|ellipse|polygon|half_plane"), "which shape"},
+    {"bodies.shape", "lower", point, "m", "type=box", required, any, "lower corner"},
+    {"bodies.shape", "upper", point, "m", "type=box", required, any, "upper corner"},
+    {"bodies.shape", "centre", point, "m", "type=ellipse", required, any, "centre"},
+    {"bodies.shape", "semi_axes", point, "m", "type=ellipse", required, positive, "half lengths of the axes"},
+    {"bodies.shape", "tilt_deg", real, "degree", "type=ellipse", standard("0.0"), any, "anticlockwise rotation of the axes"},
+    {"bodies.shape", "points", points, "m", "type=polygon", required, any, "at least 3 corners of a polygon that does not cross itself, in either sense"},
+    {"bodies.shape", "point", point, "m", "type=half_plane", required, any, "a point of the boundary"},
+    {"bodies.shape", "normal", point, "", "type=half_plane", required, any, "points out of the body; of any length"},
+
+    {"bodies.initial_velocity", "type", choice, "", "", required, words("rest|uniform|bar_first_mode"), "which field"},
+    {"bodies.initial_velocity", "value", point, "m/s", "type=uniform", required, any, "velocity of all particles"},
+    {"bodies.initial_velocity", "amplitude", real, "m/s", "type=bar_first_mode", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))"},
+    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, words("x|y"), "along the bar"},
+    {"bodies.initial_velocity", "length", real, "m", "type=bar_first_mode", required, positive, "of the bar, which is fixed at coordinate 0"},
+
+    {"bodies.initial_stress", "type", choice, "", "", required, words("zero|hydrostatic|k0|fluid_pressure"), "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around"},
+    {"bodies.initial_stress", "fluid", name, "", "type=hydrostatic|fluid_pressure", required, reference, "the newtonian material of the still fluid"},
+    {"bodies.initial_stress", "surface", real, "m", "type=hydrostatic|fluid_pressure", required, any, "level of the fluid's free surface"},
+    {"bodies.initial_stress", "surface", real, "m", "type=k0", required, any, "level of the soil's surface"},
+    {"bodies.initial_stress", "k0", real, "", "type=k0", required, not_negative, "horizontal over vertical effective stress"},
+    {"bodies.initial_stress", "under", choice, "", "type=k0", required, words("air|fluid"), "what lies on the soil"},
+    {"bodies.initial_stress", "fluid", name, "", "under=fluid", required, reference, "the newtonian material over the soil and in its pores"},
+    {"bodies.initial_stress", "fluid_surface", real, "m", "under=fluid", required, any, "level of the fluid's free surface"},
+
+    {"membranes", "name", name, "", "", required, identifier, "heads the membrane's columns in history.csv"},
+    {"membranes", "body", name, "", "", required, reference, "the body on whose outline it lies"},
+    {"membranes", "points", points, "m", "", standard("[]"), any, "the polyline, each point on the body's outline; empty: the whole outline"},
+    {"membranes", "closed", boolean, "", "", standard("true"), yes_no, "the last point joins the first"},
+    {"membranes", "axial_stiffness", real, "N/m", "", required, positive, "J, tension per strain"},
+    {"membranes", "mass_per_area", real, "kg/m2", "", required, not_negative, "mass per area"},
+    {"membranes", "strength", real, "N/m", "", required, positive, "tension at which it would tear"},
+    {"membranes", "slack", real, "", "", required, not_negative, "rest length / drawn length - 1"},
+    {"membranes", "segments_per_cell", real, "", "", standard("4.0"), dense, "nodes are h / segments_per_cell apart"},
+    {"membranes", "averaging_segments", integer, "", "", standard("2"), window, "half width of the running mean of strain and force"},
+
+    {"probes", "name", name, "", "", required, identifier, "heads the probe's columns in history.csv"},
+    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic"), "tracer: a point that moves with the material; hydrostatic: rms pressure error of a fluid at rest"},
+    {"probes", "position", point, "m", "type=tracer", required, any, "where the point starts"},
+    {"probes", "body", name, "", "type=hydrostatic", required, reference, "whose particles are compared"},
+    {"probes", "fluid", name, "", "type=hydrostatic", required, reference, "the newtonian material of the still fluid"},
+    {"probes", "surface", real, "m", "type=hydrostatic", required, any, "level of the fluid's free surface"},
+
+    {"results", "name", name, "", "", required, identifier, "ends in its unit, e.g. fall_velocity_max_m_s"},
+    {"results", "column", text, "", "", required, filled, "a column of history.csv, e.g. container.velocity_y_m_s"},
+    {"results", "reduce", choice, "", "", required, words("last|min|max|mean|rms|percentile|period|first_time_below|rms_difference|r_squared"), "how the column becomes one number"},
+    {"results", "from", real, "s", "", standard("0.0"), not_negative, "rows before are left out"},
+    {"results", "to", real, "s", "", standard("inf"), end_range, "rows after are left out"},
+    {"results", "scale", real, "", "", standard("1.0"), not_zero, "factor on the number"},
+    {"results", "percentile", real, "", "reduce=percentile", required, percent, "which percentile"},
+    {"results", "level", real, "", "reduce=first_time_below", required, any, "the level, in the unit of the column"},
+    {"results", "against", text, "", "reduce=r_squared", required, filled, "the column that is compared with"},
+    {"results", "times", reals, "s", "reduce=rms_difference", required, not_negative, "when to compare"},
+    {"results", "values", reals, "", "reduce=rms_difference", required, any, "reference values at these times, in the unit of the column"},
+
+    {"expect", "result", name, "", "", required, reference, "a name in results"},
+    {"expect", "expected", real, "", "", required, any, "in the unit of the result"},
+    {"expect", "tolerance", real, "", "", required, not_negative, "met if |value - expected| <= tolerance"},
+    {"expect", "source", text, "", "", required, filled, "who says so"},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Key> key_table() { return keys; }
+std::span<const Section> section_table() { return sections; }
+
+const Section& find_section(std::string_view path) {
+  for (const Section& section : sections) {
+    if (section.path == path) return section;
+  }
+  assert(false && "every table key has a section");
+  return sections[0];
+}
+
+std::vector<const Key*> keys_of(std::string_view section) {
+  std::vector<const Key*> found;
+  for (const Key& key : keys) {
+    if (key.section == section) found.push_back(&key);
+  }
+  return found;
+}
+
+std::string join_path(std::string_view parent, std::string_view child) {
+  std::string path(parent);
+  if (!path.empty()) path += '.';
+  return path.append(child);
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.emplace_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+}  // namespace geodrop

@@ -1,0 +1,73 @@
+// The one table of all keys that a scene may have. Reading, checking, "nearest name", the scene as run and
+// docs/scene.md all come from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geodrop {
+
+enum class Kind {
+  text,
+  name,
+  names,
+  choice,
+  boolean,
+  integer,
+  real,
+  reals,
+  point,
+  points,
+  table,
+  named_tables,
+  table_list
+};
+
+/// What a value may be: words for the user, and the test of each number (of the length, for texts and lists of tables).
+struct Range {
+  std::string_view text;  ///< of a choice: its words, parted by '|'
+  bool (*holds)(double) = nullptr;
+  bool infinite = false;  ///< an infinite number is no mistake
+};
+
+/// Whether a key must be given, has a default (as TOML), or stands instead of another key.
+struct Need {
+  enum class How { required, standard, instead_of } how;
+  std::string_view text = {};  ///< the default, or the other key
+};
+
+struct Key {
+  std::string_view section;  ///< "" top level, "bodies.shape" the table `shape` of a body
+  std::string_view name;
+  Kind kind;
+  std::string_view unit;  ///< "" if it has none
+  std::string_view when;  ///< "" always; "type=box|ellipse": only if the neighbour `type` has one of these values
+  Need need;
+  Range allowed;
+  std::string_view meaning;
+};
+
+/// A table of the scene file: how it is written, and what names one of several.
+struct Section {
+  std::string_view path;
+  std::string_view heading;
+  std::string_view id_key;  ///< key that names an element of a list of tables
+  std::string_view about;
+};
+
+std::span<const Key> key_table();
+std::span<const Section> section_table();
+const Section& find_section(std::string_view path);
+
+/// All keys of a section in the order of the table; a name may occur more than once with different conditions.
+std::vector<const Key*> keys_of(std::string_view section);
+
+/// "" + "grid" = "grid", "bodies" + "shape" = "bodies.shape".
+std::string join_path(std::string_view parent, std::string_view child);
+
+/// The parts of "a|b|c".
+std::vector<std::string> split(std::string_view text, char separator);
+
+}  // namespace geodrop

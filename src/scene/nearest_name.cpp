@@ -1,0 +1,41 @@
+#include "nearest_name.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace geodrop {
+
+int edit_distance(std::string_view a, std::string_view b) {
+  const auto same = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  };
+  std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replace = d[i - 1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replace});
+      const bool swapped = i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]);
+      if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+    return edit_distance(name, a) < edit_distance(name, b);
+  });
+  return nearest == known.end() ? "" : *nearest;
+}
+
+std::string name_advice(std::string_view name, const std::vector<std::string>& known, std::string_view kind) {
+  if (known.empty()) return "nothing here: the scene has no " + std::string(kind);
+  std::string text = "one of ";
+  for (const std::string& word : known) text += (&word == &known.front() ? "\"" : ", \"") + word + '"';
+  if (known.size() > 1) text += "; the nearest is \"" + nearest_name(name, known) + '"';
+  return text;
+}
+
+}  // namespace geodrop

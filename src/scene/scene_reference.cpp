@@ -1,0 +1,78 @@
+// The page docs/scene.md, from the table of keys.
+#include <geodrop/scene_reader.hpp>
+
+#include "check_value.hpp"
+#include "key_table.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr std::string_view kOpening = R"(# The scene file
+
+A scene is one TOML file; units are SI, angles in degrees. This page is made from the table that the reader checks
+against (`src/scene/key_table.cpp`), so it says what the program does.
+
+- Every key is checked: an unknown key, a wrong type, a missing key or a value out of range is an error that names the
+  file, line and column, the full key, what was found and what is allowed. All errors are reported at once.
+- Physics has no silent defaults: a key without a default must be given. Keys with a default are numerical, or mean
+  "nothing".
+- `--set KEY=VALUE` overrides any key: `--set grid.spacing=0.125`, `--set materials.water.viscosity=0`,
+  `--set bodies.container.shape.tilt_deg=5`, `--set gravity.1=-1.62`. Elements of lists of tables are addressed by name,
+  or by index from 0. The value is TOML; a bare word is a text; an empty value (`--set solver.blend_rate=`) removes the
+  key.
+- The run directory holds the scene as run: overrides applied, defaults filled in. It can be run again.
+- Numbers are finite; only `to` of a result may be `inf`.
+
+Further checks, across keys: the spacing divides the domain (walls stand on grid lines); bodies lie inside the domain,
+have area left, and do not overlap (`minus` cuts one out of another; a half-plane is cut off by the domain); names that
+are referred to exist; names of bodies, membranes and probes differ, as do those of results; the points of a membrane lie
+within a tenth of a cell of its body's outline; `k0` lies within the yield surface of the soil; the stress at the start
+fits the material; an undrained soil has K_f / n of at least 20 times the bulk modulus of its skeleton (Skempton's B of
+0.95); `dilatancy_angle_deg` is at most `friction_angle_deg`; `tension_cutoff` is at most c cot(phi); only fluids shift.
+
+Names of results and of columns of history.csv end in their unit: `_m`, `_s`, `_m_s`, `_m_s2`, `_Pa`, `_N_m`, `_J_m`,
+`_rad`, `_deg`, `_ratio` (no unit), `_r_squared` and so on.
+)";
+
+std::string escape_bars(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.replace(at, 1, "\\|");
+  return text;
+}
+
+std::string need_text(const Key& key) {
+  switch (key.need.how) {
+    case Need::How::required:
+      return "required";
+    case Need::How::standard:
+      return "`" + std::string(key.need.text) + "`";
+    case Need::How::instead_of:
+      return "this or `" + std::string(key.need.text) + "`";
+  }
+  return {};
+}
+
+std::string row(const Key& key) {
+  constexpr int kDimension = 2;
+  // The unit stands in a column of its own.
+  Key without_unit = key;
+  without_unit.unit = {};
+  const std::string when = key.when.empty() ? "" : readable_condition(key.when);
+  const std::string unit = key.unit.empty() ? "" : std::string(key.unit);
+  return "| `" + std::string(key.name) + "` | " + describe_allowed(without_unit, kDimension) + " | " + unit + " | " +
+         need_text(key) + " | " + when + " | " + escape_bars(std::string(key.meaning)) + " |\n";
+}
+
+}  // namespace
+
+std::string scene_reference_markdown() {
+  std::string page(kOpening);
+  for (const Section& section : section_table()) {
+    page += "\n## " + std::string(section.heading) + "\n\n" + std::string(section.about) + "\n\n";
+    page += "| key | value | unit | default | only with | meaning |\n|---|---|---|---|---|---|\n";
+    for (const Key* key : keys_of(section.path)) page += row(*key);
+  }
+  return page;
+}
+
+}  // namespace geodrop

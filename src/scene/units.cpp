@@ -1,0 +1,30 @@
+// Names of columns and results end in their unit; this is the list of endings.
+#include <geodrop/scene_reader.hpp>
+#include <string_view>
+
+namespace geodrop {
+namespace {
+
+struct Ending {
+  std::string_view ending, unit;
+};
+
+/// Longer endings stand before those that they contain ("_kg_m3" before "_m3", "_N_m" before "_m").
+constexpr Ending endings[] = {
+    {"_kg_m_s", "kg m/s"}, {"_kg_m3", "kg/m3"}, {"_kg_m2", "kg/m2"}, {"_kg_m", "kg/m"},   {"_m_s2", "m/s2"},
+    {"_rad_s2", "rad/s2"}, {"_rad_s", "rad/s"}, {"_J_m", "J/m"},     {"_N_s", "N s"},     {"_N_m", "N/m"},
+    {"_m_s", "m/s"},       {"_1_s", "1/s"},     {"_Pa", "Pa"},       {"_kg", "kg"},       {"_rad", "rad"},
+    {"_deg", "degree"},    {"_m3", "m3"},       {"_m2", "m2"},       {"_J", "J"},         {"_N", "N"},
+    {"_m", "m"},           {"_s", "s"},         {"_ratio", "1"},     {"_r_squared", "1"}, {"_count", "1"},
+};
+
+}  // namespace
+
+std::string unit_of_name(const std::string& name) {
+  for (const Ending& known : endings) {
+    if (name.size() > known.ending.size() && name.ends_with(known.ending)) return std::string(known.unit);
+  }
+  return {};
+}
+
+}  // namespace geodrop
