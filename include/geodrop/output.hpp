@@ -74,8 +74,9 @@ std::string stage_table(const std::vector<StageTime>& stages, double particle_st
 template <int Dim>
 class Output {
  public:
-  /// Throws SceneError if a result names no column, if the directory holds other things than an earlier run, or, with
-  /// `resume`, no checkpoint. Nothing was written then. An earlier run's files are replaced; says so in the log.
+  /// Keeps a reference to the scene. Throws SceneError if a result names no column, if the directory holds other things
+  /// than an earlier run, or, with `resume`, no checkpoint. Nothing was written then. An earlier run's files are
+  /// replaced; says so in the log.
   Output(const Scene& scene, const RunOptions& options);
   ~Output();
 
@@ -105,6 +106,8 @@ class Output {
   Summary finish(Frame<Dim> frame, const RunStatistics& statistics);
 
  private:
+  void print_end(Frame<Dim> frame, const RunStatistics& statistics, const Summary& summary);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

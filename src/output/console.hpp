@@ -1,0 +1,57 @@
+// Lines for the user and run.log, and the progress line below them on a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace geodrop {
+
+enum class LogMode { begin, append };
+
+class Console {
+ public:
+  Console(const std::filesystem::path& log, LogMode mode);
+  /// To the terminal (or wherever the output goes) and to run.log. Throws RunError if the disk does not take it.
+  void print(const std::string& text);
+  /// Replaces the progress line; does nothing where the output is no terminal.
+  void show(const std::string& progress);
+  bool is_terminal() const { return is_terminal_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void clear_progress();
+
+  std::unique_ptr<std::FILE, Close> log_;
+  bool is_terminal_;
+  bool progress_shown_ = false;
+};
+
+/// How far a run is, how fast, and when it will end.
+class Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Progress(double t_end, std::size_t particles) : t_end_(t_end), particles_(particles) {}
+  /// The run starts (or goes on) here.
+  void begin(double t, std::uint64_t step);
+  /// True a few times a second.
+  bool due();
+  /// Particles times steps per second, ETA in hours:minutes:seconds, and the wall-clock time of the end:
+  /// "42.3 %  t 2.961 of 7 s  step 12345  23.4 M particles/s  ETA 0:34  finish 14:32:10"
+  std::string line(double t, std::uint64_t step) const;
+
+ private:
+  double t_end_;
+  std::size_t particles_;
+  double t_begin_ = 0;
+  std::uint64_t step_begin_ = 0;
+  Clock::time_point begin_ = Clock::now(), shown_ = begin_;
+};
+
+}  // namespace geodrop

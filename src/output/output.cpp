@@ -1,0 +1,241 @@
+// Joins the parts of the output room for the step loop.
+#include <geodrop/checkpoint.hpp>
+#include <geodrop/error.hpp>
+#include <geodrop/output.hpp>
+#include <geodrop/scene_reader.hpp>
+#include <geodrop/version.hpp>
+
+#include "atomic_file.hpp"
+#include "console.hpp"
+#include "frame_writer.hpp"
+#include "run_directory.hpp"
+#include "summary.hpp"
+#include "text.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace geodrop {
+namespace {
+
+/// The multiples of an interval, each of which is due once: at the first time at or after it.
+class Schedule {
+ public:
+  explicit Schedule(double interval) : interval_(interval) {}
+  bool due(double t) const { return interval_ > 0 && t >= next_ * interval_; }
+  void pass(double t) {
+    if (interval_ <= 0) return;
+    next_ = std::max(next_, std::floor(t / interval_));
+    while (due(t)) ++next_;
+  }
+
+ private:
+  double interval_;
+  double next_ = 0;  ///< a whole number
+};
+
+template <int Dim>
+std::size_t count_particles(const State<Dim>& state) {
+  std::size_t count = 0;
+  for (const Body<Dim>& body : state.bodies) count += body.size();
+  return count;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+std::string describe_run(const Scene& scene, const RunOptions& options) {
+  return std::string("geodrop ") + GEODROP_VERSION + " on " + host_name() + ", " + std::to_string(options.threads) +
+         " of " + std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
+}
+
+std::vector<std::string> names(const std::vector<MaterialSpec>& materials) {
+  std::vector<std::string> list;
+  for (const MaterialSpec& material : materials) list.push_back(material.name);
+  return list;
+}
+
+LogMode log_mode(bool resume) { return resume ? LogMode::append : LogMode::begin; }
+
+/// All that can refuse a run, before anything is written.
+template <int Dim>
+std::optional<Checkpoint<Dim>> check_run(const Scene& scene, const RunOptions& options,
+                                         const std::filesystem::path& directory) {
+  check_results(scene);
+  if (options.resume) return read_checkpoint<Dim>(directory / "checkpoint.bin", scene);
+  check_replaceable(directory);
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <int Dim>
+struct Output<Dim>::Parts {
+  Parts(const Scene& scene_, const RunOptions& options_)
+      : scene(scene_),
+        options(options_),
+        directory(choose_directory(scene, options.directory)),
+        resumed(check_run<Dim>(scene, options, directory)),
+        replaced(options.resume ? 0 : prepare_directory(directory)),
+        console(directory / "run.log", log_mode(options.resume)),
+        progress(options.end > 0 ? options.end : scene.time.end, 0),
+        rows_due(scene.output.history_interval),
+        frames_due(scene.output.frame_interval),
+        history{history_columns(scene), {}},
+        frames(directory, scene.output.compress ? Compression::zlib : Compression::none,
+               resumed ? resumed->output.frame_times : std::vector<double>{}) {}
+
+  void begin(const State<Dim>& state) {
+    particles = count_particles(state);
+    progress = Progress(options.end > 0 ? options.end : scene.time.end, particles);
+    progress.begin(state.t, state.step);
+    for (const double t : frames.times()) frames_due.pass(t);
+    for (const std::vector<double>& row : history.rows) rows_due.pass(row.front());
+    history_file.emplace(directory / "history.csv", history);
+  }
+  bool has_frame(double t) const { return !frames.times().empty() && frames.times().back() == t; }
+  bool has_row(double t) const { return !history.rows.empty() && history.rows.back().front() == t; }
+
+  const Scene& scene;
+  RunOptions options;
+  std::filesystem::path directory;
+  std::optional<Checkpoint<Dim>> resumed;
+  std::size_t replaced;  ///< files of an earlier run
+  Console console;
+  Progress progress;
+  Schedule rows_due, frames_due;
+  HistoryTable history;
+  std::optional<HistoryFile> history_file;
+  FrameWriter frames;
+  std::size_t particles = 0;
+};
+
+template <int Dim>
+Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std::make_unique<Parts>(scene, options)) {
+  parts_->console.print(describe_run(scene, options));
+  if (parts_->replaced > 0)
+    parts_->console.print("replaced an earlier run in " + directory().string() + " (" +
+                          std::to_string(parts_->replaced) + " files)");
+  if (!options.resume) write_file_atomically(directory() / "scene.toml", scene.as_run);
+}
+
+template <int Dim>
+Output<Dim>::~Output() = default;
+
+template <int Dim>
+const std::filesystem::path& Output<Dim>::directory() const {
+  return parts_->directory;
+}
+
+template <int Dim>
+State<Dim> Output<Dim>::resume() {
+  Parts& parts = *parts_;
+  Checkpoint<Dim> checkpoint = std::move(parts.resumed.value());
+  remove_frames(directory(), checkpoint.output.frame_times.size());
+  parts.history.rows = std::move(checkpoint.output.rows);
+  parts.begin(checkpoint.state);
+  log("resumed at t = " + format_number(checkpoint.state.t) + " s, step " + std::to_string(checkpoint.state.step));
+  return std::move(checkpoint.state);
+}
+
+template <int Dim>
+void Output<Dim>::start(Frame<Dim> frame) {
+  parts_->begin(*frame);
+  write_history(frame);
+  write_frame(frame);
+}
+
+template <int Dim>
+bool Output<Dim>::history_due(double t) const {
+  return parts_->rows_due.due(t);
+}
+
+template <int Dim>
+bool Output<Dim>::frame_due(double t) const {
+  return parts_->frames_due.due(t);
+}
+
+template <int Dim>
+void Output<Dim>::write_history(Frame<Dim> frame) {
+  parts_->history.rows.push_back(history_row(parts_->scene, *frame, parts_->history));
+  parts_->history_file->append(parts_->history.rows.back());
+  parts_->rows_due.pass(frame->t);
+}
+
+template <int Dim>
+void Output<Dim>::write_frame(Frame<Dim> frame) {
+  Parts& parts = *parts_;
+  parts.frames.submit(take_snapshot(*frame, names(parts.scene.materials)));
+  parts.frames_due.pass(frame->t);
+  log(parts.progress.line(frame->t, frame->step) + "  frame " + std::to_string(parts.frames.times().size() - 1));
+}
+
+template <int Dim>
+void Output<Dim>::checkpoint(Frame<Dim> frame) {
+  Parts& parts = *parts_;
+  if (!parts.has_frame(frame->t)) write_frame(frame);
+  parts.frames.wait();  // a checkpoint names only frames that are on disk
+  write_checkpoint(directory() / "checkpoint.bin", parts.scene, *frame, {parts.frames.times(), parts.history.rows});
+}
+
+template <int Dim>
+void Output<Dim>::progress(double t, std::uint64_t step) {
+  if (parts_->console.is_terminal() && parts_->progress.due()) parts_->console.show(parts_->progress.line(t, step));
+}
+
+template <int Dim>
+void Output<Dim>::log(const std::string& line) {
+  parts_->console.print(line);
+}
+
+template <int Dim>
+Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& statistics) {
+  Parts& parts = *parts_;
+  if (statistics.status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
+  if (!parts.has_frame(frame->t)) write_frame(frame);
+  parts.frames.wait();
+
+  Summary summary;
+  summary.state_hash = state_hash(*frame);
+  summary.results = reduce_all(parts.scene, parts.history);
+  summary.expectations = compare(parts.scene, summary.results);
+  for (const Expectation& expectation : summary.expectations) summary.expectations_met &= expectation.met;
+  const RunIdentity run{parts.options.threads, frame->step, frame->t, parts.particles};
+  write_file_atomically(directory() / "summary.json", summary_json(parts.scene, run, statistics, summary));
+  print_end(frame, statistics, summary);
+  return summary;
+}
+
+template <int Dim>
+void Output<Dim>::print_end(Frame<Dim> frame, const RunStatistics& statistics, const Summary& summary) {
+  const double particle_steps = static_cast<double>(statistics.steps) * static_cast<double>(parts_->particles);
+  log("");
+  log(stage_table(statistics.stages, particle_steps));
+  for (const Fact& fact : statistics.facts)
+    log(fact.name + " = " + format_number(fact.value, 6) + " " + unit_of_name(fact.name));
+  log(status_name(statistics.status) + " at t = " + format_number(frame->t, 6) + " s after " +
+      std::to_string(frame->step) + " steps of " + std::to_string(parts_->particles) + " particles in " +
+      format_duration(statistics.wall_seconds) + ", state " + summary.state_hash + ", files in " +
+      directory().string());
+  if (!statistics.message.empty()) log(statistics.message);
+  const std::string& command = parts_->options.resume_command;
+  if (statistics.status == RunStatus::stopped)
+    log("go on with: " + (command.empty()
+                              ? "geodrop run " + parts_->scene.file + " --output " + directory().string() + " --resume"
+                              : command));
+  if (statistics.status == RunStatus::done && !summary.results.empty())
+    log("\n" + results_table(summary.results, summary.expectations));
+}
+
+template class Output<2>;
+template class Output<3>;
+
+}  // namespace geodrop
