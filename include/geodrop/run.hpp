@@ -1,0 +1,22 @@
+// A whole run: from a checked scene to a run directory.
+#pragma once
+
+#include <geodrop/output.hpp>
+#include <geodrop/scene.hpp>
+
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// Runs the scene (or goes on from its checkpoint) and leaves a run directory. Returns the exit code: 0 done, 1 broken
+/// (the last frame is kept) or, with `verify`, an expectation not met, 75 stopped with a checkpoint.
+int run_scene(const Scene& scene, const RunOptions& options, bool verify);
+
+/// What is worth knowing before the first step: sizes, time step, Skempton's B, density rise of fluids.
+std::vector<Fact> scene_facts(const Scene& scene);
+
+/// The stages that the scene needs, one line each: name and what it reads and writes.
+std::string stages_text(const Scene& scene);
+
+}  // namespace geodrop

@@ -1,0 +1,113 @@
+// The command line: parses, calls, and turns every way of failing into a message and an exit code.
+#include <geodrop/error.hpp>
+#include <geodrop/run.hpp>
+#include <geodrop/scene_reader.hpp>
+#include <geodrop/version.hpp>
+
+#include <CLI/CLI.hpp>
+#include <omp.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+constexpr int exit_usage = 2;
+constexpr int exit_internal = 70;
+
+struct Arguments {
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::string output;
+  int threads = 0;
+  double until = 0;
+  bool resume = false;
+  bool verify = false;
+};
+
+void add_scene(CLI::App& command, Arguments& arguments) {
+  command.add_option("scene", arguments.scene, "scene file (TOML, see docs/scene.md)")->required();
+  command.add_option("--set", arguments.overrides, "override a key of the scene, e.g. --set grid.spacing=0.125")->take_all()->expected(1);
+}
+
+/// Number of threads to use; warns if there are fewer cores.
+int choose_threads(int asked) {
+  const int cores = omp_get_num_procs();
+  if (asked == 0) return cores;
+  if (asked > cores) std::cerr << "geodrop: warning: " << asked << " threads on " << cores << " cores: slower, same result\n";
+  return asked;
+}
+
+int run(const Arguments& arguments) {
+  geodrop::RunOptions options;
+  options.directory = arguments.output;
+  options.threads = choose_threads(arguments.threads);
+  options.resume = arguments.resume;
+  options.end = arguments.until;
+  omp_set_num_threads(options.threads);
+  return geodrop::run_scene(geodrop::read_scene(arguments.scene, arguments.overrides), options, arguments.verify);
+}
+
+int check(const Arguments& arguments) {
+  const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
+  std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, " << scene.membranes.size() << " membranes\n";
+  return 0;
+}
+
+int stages(const Arguments& arguments) {
+  std::cout << geodrop::stages_text(geodrop::read_scene(arguments.scene, arguments.overrides));
+  return 0;
+}
+
+int info(const Arguments& arguments) {
+  std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs() << " cores, kernels for "
+            << (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "x86-64-v3" : "x86-64-v2") << '\n';
+  if (arguments.scene.empty()) return 0;
+  for (const geodrop::Fact& fact : geodrop::scene_facts(geodrop::read_scene(arguments.scene, arguments.overrides)))
+    std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"geodrop: Material Point Method for soil, water and geotextile", "geodrop"};
+  app.set_version_flag("--version", std::string("geodrop ") + GEODROP_VERSION);
+  app.require_subcommand(1);
+  Arguments arguments;
+
+  auto* run_command = app.add_subcommand("run", "run a scene; writes a run directory");
+  add_scene(*run_command, arguments);
+  run_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")->check(CLI::PositiveNumber);
+  run_command->add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
+  run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")->check(CLI::PositiveNumber);
+  run_command->add_flag("--resume", arguments.resume, "go on from the checkpoint in the run directory");
+  run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
+  auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
+  add_scene(*check_command, arguments);
+  auto* stages_command = app.add_subcommand("stages", "print the stages of a step of this scene");
+  add_scene(*stages_command, arguments);
+  auto* info_command = app.add_subcommand("info", "print version and machine; with a scene, its sizes and time step");
+  info_command->add_option("scene", arguments.scene, "scene file");
+  info_command->add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
+
+  try {
+    app.parse(argc, argv);
+    if (*run_command) return run(arguments);
+    if (*check_command) return check(arguments);
+    if (*stages_command) return stages(arguments);
+    return info(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_usage;
+  } catch (const geodrop::SceneError& error) {
+    std::cerr << error.what() << '\n';
+    return exit_usage;
+  } catch (const geodrop::RunError& error) {
+    std::cerr << "geodrop: " << error.what() << '\n';
+    return 1;
+  } catch (const std::exception& error) {
+    std::cerr << "geodrop: internal error: " << error.what() << '\n';
+    return exit_internal;
+  }
+}

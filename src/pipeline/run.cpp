@@ -1,0 +1,76 @@
+// The loop over steps, and what surrounds it.
+#include <geodrop/error.hpp>
+#include <geodrop/pipeline.hpp>
+#include <geodrop/run.hpp>
+#include <geodrop/stop_signal.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace geodrop {
+namespace {
+
+template <int Dim>
+void write_due_output(Output<Dim>& output, State<Dim>& state) {
+  if (output.history_due(state.t)) {
+    output.write_history(Frame<Dim>(state));
+    for (Membrane<Dim>& membrane : state.membranes) membrane.tension_peak = 0;
+  }
+  if (output.frame_due(state.t)) output.write_frame(Frame<Dim>(state));
+}
+
+/// Steps until `end` or a stop signal. On a broken run the status says failed; the state is as the break left it.
+template <int Dim>
+RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid, Output<Dim>& output) {
+  RunStatistics statistics;
+  const std::uint64_t first_step = state.step;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    while (state.t < end && !stop_requested()) {
+      advance(scene, pipeline, state, grid);
+      write_due_output(output, state);
+      output.progress(state.t, state.step);
+    }
+    statistics.status = state.t < end ? RunStatus::stopped : RunStatus::done;
+  } catch (const RunError& error) {
+    statistics.status = RunStatus::failed;
+    statistics.message = error.what();
+  }
+  statistics.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  statistics.steps = state.step - first_step;
+  for (const Stage<Dim>& stage : pipeline) statistics.stages.push_back({stage.name, stage.seconds});
+  return statistics;
+}
+
+int exit_code(RunStatus status, bool expectations_met, bool verify) {
+  if (status == RunStatus::stopped) return exit_stopped;
+  if (status == RunStatus::failed) return 1;
+  return verify && !expectations_met ? 1 : 0;
+}
+
+template <int Dim>
+int run_in(const Scene& scene, const RunOptions& options, bool verify) {
+  Output<Dim> output(scene, options);
+  State<Dim> state = options.resume ? output.resume() : build_state<Dim>(scene);
+  Grid<Dim> grid = make_grid<Dim>(scene);
+  Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
+  catch_stop_signals();
+  if (!options.resume) output.start(Frame<Dim>(state));
+
+  const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
+  RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
+  statistics.facts = scene_facts(scene);
+  // A run that ends before its scene does, by signal or by --until, can go on later.
+  const bool unfinished = statistics.status == RunStatus::stopped || (statistics.status == RunStatus::done && end < scene.time.end);
+  if (unfinished) output.checkpoint(Frame<Dim>(state));
+  const Summary summary = output.finish(Frame<Dim>(state), statistics);
+  return exit_code(statistics.status, summary.expectations_met, verify);
+}
+
+}  // namespace
+
+int run_scene(const Scene& scene, const RunOptions& options, bool verify) {
+  return scene.dimension == 2 ? run_in<2>(scene, options, verify) : run_in<3>(scene, options, verify);
+}
+
+}  // namespace geodrop

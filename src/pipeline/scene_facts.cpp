@@ -1,0 +1,74 @@
+// What a user should know of a scene before the first step.
+#include <geodrop/pipeline.hpp>
+#include <geodrop/run.hpp>
+
+#include "../setup/initial_stress.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace geodrop {
+namespace {
+
+template <class T>
+double bytes(const Array<T>& values) {
+  return static_cast<double>(values.size() * sizeof(T));
+}
+
+template <int Dim>
+double particle_bytes(const Body<Dim>& body) {
+  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) + bytes(body.id) + bytes(body.layer);
+  for (const auto& values : body.x) sum += bytes(values);
+  for (const auto& values : body.v) sum += bytes(values);
+  for (const auto& values : body.affine) sum += bytes(values);
+  for (const auto& values : body.stress) sum += bytes(values);
+  for (const auto& values : body.initial_x) sum += bytes(values);
+  return sum;
+}
+
+/// Density at the lowest particle of a still fluid over its density at zero pressure, less one.
+template <int Dim>
+double density_rise(const Body<Dim>& body) {
+  const auto lowest = std::min_element(body.J.begin(), body.J.end());
+  return lowest == body.J.end() ? 0.0 : 1 / *lowest - 1;
+}
+
+template <int Dim>
+std::vector<Fact> facts_in(const Scene& scene) {
+  const State<Dim> state = build_state<Dim>(scene);
+  std::vector<Fact> facts;
+  double particles = 0, memory = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    particles += static_cast<double>(body.size());
+    memory += particle_bytes(body);
+    facts.push_back({body.name + ".particles_count", static_cast<double>(body.size())});
+    facts.push_back({body.name + ".wave_speed_m_s", wave_speed(body.material)});
+    if (std::holds_alternative<Newtonian>(body.material)) facts.push_back({body.name + ".density_rise_ratio", density_rise(body)});
+    const auto* soil = std::get_if<MohrCoulomb>(&body.material);
+    if (soil && soil->pore_stiffness > 0) facts.push_back({body.name + ".skempton_b_ratio", skempton_b(*soil)});
+  }
+  const GridLayout<Dim> layout(scene.grid, scene.walls);
+  facts.push_back({"particles_count", particles});
+  facts.push_back({"bytes_per_particle_count", memory / particles});
+  facts.push_back({"grid_nodes_count", static_cast<double>(layout.nodes())});
+  facts.push_back({"time_step_s", stable_dt(scene, state, layout)});
+  facts.push_back({"steps_count", scene.time.end / stable_dt(scene, state, layout)});
+  return facts;
+}
+
+template <int Dim>
+std::string stages_in(const Scene& scene) {
+  std::ostringstream text;
+  for (const Stage<Dim>& stage : build_pipeline<Dim>(scene)) {
+    text << stage.name << std::string(20 - std::min<std::size_t>(19, stage.name.size()), ' ') << stage.reads_writes << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<Fact> scene_facts(const Scene& scene) { return scene.dimension == 2 ? facts_in<2>(scene) : facts_in<3>(scene); }
+
+std::string stages_text(const Scene& scene) { return scene.dimension == 2 ? stages_in<2>(scene) : stages_in<3>(scene); }
+
+}  // namespace geodrop
