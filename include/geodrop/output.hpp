@@ -106,6 +106,7 @@ class Output {
   Summary finish(Frame<Dim> frame, const RunStatistics& statistics);
 
  private:
+  void write_last_frame(Frame<Dim> frame, RunStatus status);
   void print_end(Frame<Dim> frame, const RunStatistics& statistics, const Summary& summary);
 
   struct Parts;

@@ -200,8 +200,7 @@ template <int Dim>
 Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& statistics) {
   Parts& parts = *parts_;
   if (statistics.status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
-  if (!parts.has_frame(frame->t)) write_frame(frame);
-  parts.frames.wait();
+  write_last_frame(frame, statistics.status);
 
   Summary summary;
   summary.state_hash = state_hash(*frame);
@@ -212,6 +211,18 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& statistics) {
   write_file_atomically(directory() / "summary.json", summary_json(parts.scene, run, statistics, summary));
   print_end(frame, statistics, summary);
   return summary;
+}
+
+template <int Dim>
+void Output<Dim>::write_last_frame(Frame<Dim> frame, RunStatus status) {
+  try {
+    if (!parts_->has_frame(frame->t)) write_frame(frame);
+    parts_->frames.wait();
+  } catch (const RunError& error) {
+    // A run may have failed because frames cannot be written: the first reason is the one to tell.
+    if (status != RunStatus::failed) throw;
+    log(error.what());
+  }
 }
 
 template <int Dim>

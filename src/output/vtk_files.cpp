@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <geodrop/error.hpp>
 
 #include "atomic_file.hpp"
@@ -81,6 +82,14 @@ vtkSmartPointer<vtkCellArray> make_cells(vtkTypeInt32Array* connectivity, int si
   return array;
 }
 
+/// VTK's own codes begin where errno's end.
+std::string describe(unsigned long code, const std::string& reported) {
+  if (code == vtkErrorCode::OutOfDiskSpaceError) return "no space left on the disk";
+  if (code != vtkErrorCode::NoError && code < vtkErrorCode::FirstVTKErrorCode)
+    return std::strerror(static_cast<int>(code));
+  return "VTK error " + std::to_string(code) + " " + reported;
+}
+
 /// VTK reports a failed write to observers (or, without one, on stderr) and by a code, and its stream may swallow the
 /// failure of the last flush: so the end of the file is looked at, too.
 void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::path& path, Compression compression) {
@@ -98,10 +107,10 @@ void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::pat
     writer->SetCompressorTypeToNone();
   else
     writer->SetCompressorTypeToZLib();
-  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError && reported.empty();
-  if (!written)
-    throw RunError("cannot write " + path.string() + ": " +
-                   vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  writer->Write();
+  const unsigned long code = writer->GetErrorCode();
+  if (code != vtkErrorCode::NoError || !reported.empty())
+    throw RunError("cannot write " + path.string() + ": " + describe(code, reported));
 }
 
 }  // namespace
