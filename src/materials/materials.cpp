@@ -69,8 +69,6 @@ double kinematic_viscosity(const Material& material) {
   return fluid ? fluid->viscosity / fluid->density : 0.0;
 }
 
-double skempton_b(const MohrCoulomb& soil) {
-  return soil.pore_stiffness / (soil.pore_stiffness + soil.bulk_modulus);
-}
+double skempton_b(const MohrCoulomb& soil) { return soil.pore_stiffness / (soil.pore_stiffness + soil.bulk_modulus); }
 
 }  // namespace geodrop

@@ -25,7 +25,8 @@ template <class R>
   const R half_difference = 0.5 * (trial.xx - trial.yy);
   // Far below any stress [Pa], far above underflow: gives equal principal stresses a harmless direction.
   const double smallest_radius = 1e-100;
-  const R radius = max(sqrt(half_difference * half_difference + trial.xy * trial.xy), broadcast<R>(smallest_radius));
+  const R radius = max(sqrt(half_difference * half_difference + trial.xy * trial.xy), R(smallest_radius));
+  const R inverse_radius = 1.0 / radius;  // here, so that it runs beside the return
   const R high = centre + radius, low = centre - radius, z = trial.axis;
   const Principal<R> sorted{max(high, z), max(low, min(high, z)), min(low, z)};
   const auto outside = violates(surface, sorted);
@@ -38,7 +39,7 @@ template <class R>
   const R d_high = select(axis_first, d.second, d.first);
   const R d_low = select(axis_third, d.second, d.third);
   const R d_centre = 0.5 * (d_high + d_low);
-  const R ratio = 0.5 * (d_high - d_low) / radius;
+  const R ratio = 0.5 * (d_high - d_low) * inverse_radius;
   change.xx = d_centre + ratio * half_difference;
   change.yy = d_centre - ratio * half_difference;
   change.xy = ratio * trial.xy;
@@ -56,48 +57,24 @@ template <class R>
   stress[3] += change.xy;
 }
 
-/// Product of a stress with a vector.
-template <class R>
-[[gnu::always_inline]] inline std::array<R, 3> traction(const Stress<3, R>& s, const std::array<R, 3>& n) {
-  return {s[0] * n[0] + s[3] * n[1] + s[5] * n[2], s[3] * n[0] + s[1] * n[1] + s[4] * n[2],
-          s[5] * n[0] + s[4] * n[1] + s[2] * n[2]};
-}
-
-template <class R>
-[[gnu::always_inline]] inline R dot(const std::array<R, 3>& a, const std::array<R, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// The change is found in the principal frame and added outside, so that an elastic stress keeps every bit.
 template <class R>
 [[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, std::array<R, 6>& stress) {
-  const PrincipalFrame<R> frame = principal_frame(stress);
-  const auto& [u, w, v] = frame;
-  const std::array<R, 3> along_u = traction<R>(stress, u), along_w = traction<R>(stress, w);
-  const AxisStress<R> trial{dot(u, along_u), dot(w, along_w), dot(u, along_w), dot(v, traction<R>(stress, v))};
+  const Reflection<R> reflection = reflection_to_z(separated_eigenvector(stress));
+  const Stress<3, R> turned = reflect(reflection, stress);
   AxisStress<R> change;
-  if (!plastic_correction(surface, trial, change)) return;
-  std::array<R, 3> p, q, r;
-#pragma GCC unroll 3
-  for (int a = 0; a < 3; ++a) {
-    p[a] = change.xx * u[a] + change.xy * w[a];
-    q[a] = change.xy * u[a] + change.yy * w[a];
-    r[a] = change.axis * v[a];
-  }
-  constexpr int row[] = {0, 1, 2, 0, 1, 0}, column[] = {0, 1, 2, 1, 2, 2};
+  if (!plastic_correction<R>(surface, {turned[0], turned[1], turned[3], turned[2]}, change)) return;
+  const Stress<3, R> back = reflect<R>(reflection, {change.xx, change.yy, change.axis, change.xy, R{}, R{}});
 #pragma GCC unroll 6
-  for (int k = 0; k < 6; ++k) {
-    const int a = row[k], b = column[k];
-    stress[k] += p[a] * u[b] + q[a] * w[b] + r[a] * v[b];
-  }
+  for (int k = 0; k < 6; ++k) stress[k] += back[k];
 }
 
 /// Advances the effective Cauchy stress [Pa] by one step and returns sqrt(2/3 de:de) of the deviatoric strain
 /// increment de, elastic and plastic together [-]. Strain as in the linear elastic law. Hand over a local copy of
 /// the law: behind a reference that stores might alias, its constants are recomputed for each packet.
 template <int Dim, class R>
-[[gnu::always_inline]] inline R update_stress(const MohrCoulomb& law,
-                                              const std::array<R, std::size_t{Dim * Dim}>& dL, const R& dvol,
+[[gnu::always_inline]] inline R update_stress(const MohrCoulomb& law, const std::array<R, std::size_t{Dim * Dim}>& dL,
+                                              const R& dvol,
                                               std::array<R, std::size_t{stress_components<Dim>}>& stress) {
   const Stress<Dim, R> deviatoric = deviator<Dim, R>(dL);
   rotate(dL, stress);

@@ -32,17 +32,17 @@ template <class R, class Mask>
 
 /// What the return needs of a material; loop-invariant, so the compiler moves it out of the loop over points.
 struct YieldSurface {
-  double lambda, shear;          ///< Lame's constants [Pa]
-  double plus_phi, minus_phi;    ///< 1 + sin(phi), 1 - sin(phi)
-  double plus_psi, minus_psi;    ///< 1 + sin(psi), 1 - sin(psi)
-  double strength;               ///< k = 2 c cos(phi) [Pa]
-  double cutoff;                 ///< t [Pa]
-  double meeting;                ///< m, s3 where f_13 = 0 and s1 = t [Pa]
-  double flow_first, flow_third; ///< D : flow of g_13, first and third component [Pa]
-  double flow_volume;            ///< its second component, 2 lambda sin(psi) [Pa]
-  double stiffness;              ///< f_13 : D : g_13 [Pa]
-  double compression_edge;       ///< f_13 : D : g_12, s2 = s3 [Pa]
-  double extension_edge;         ///< f_13 : D : g_23, s1 = s2 [Pa]
+  double lambda, shear;           ///< Lame's constants [Pa]
+  double plus_phi, minus_phi;     ///< 1 + sin(phi), 1 - sin(phi)
+  double plus_psi, minus_psi;     ///< 1 + sin(psi), 1 - sin(psi)
+  double strength;                ///< k = 2 c cos(phi) [Pa]
+  double cutoff;                  ///< t [Pa]
+  double meeting;                 ///< m, s3 where f_13 = 0 and s1 = t [Pa]
+  double flow_first, flow_third;  ///< D : flow of g_13, first and third component [Pa]
+  double flow_volume;             ///< its second component, 2 lambda sin(psi) [Pa]
+  double stiffness;               ///< f_13 : D : g_13 [Pa]
+  double compression_edge;        ///< f_13 : D : g_12, s2 = s3 [Pa]
+  double extension_edge;          ///< f_13 : D : g_23, s1 = s2 [Pa]
 
   [[gnu::always_inline]] explicit YieldSurface(const MohrCoulomb& soil)
       : lambda(soil.bulk_modulus - 2.0 / 3.0 * soil.shear_modulus),
@@ -76,7 +76,7 @@ template <class R>
 /// Returns where the cut-off is active: its plane, its edge, its line with the shear plane, its corners.
 template <class R>
 [[gnu::always_inline]] inline Principal<R> return_to_cutoff(const YieldSurface& y, const Principal<R>& trial) {
-  const R t = broadcast<R>(y.cutoff), m = broadcast<R>(y.meeting);
+  const R t = y.cutoff, m = y.meeting;
   const auto& [x1, x2, x3] = trial;
   Principal<R> best{t, t, m};
 

@@ -25,7 +25,7 @@ template <int Dim, class R>
     return {dL[0] - mean, dL[3] - mean, -mean, 0.5 * (dL[1] + dL[2])};
   } else {
     const R mean = third * (dL[0] + dL[4] + dL[8]);
-    return {dL[0] - mean,           dL[4] - mean,           dL[8] - mean,
+    return {dL[0] - mean,          dL[4] - mean,          dL[8] - mean,
             0.5 * (dL[1] + dL[3]), 0.5 * (dL[5] + dL[7]), 0.5 * (dL[2] + dL[6])};
   }
 }
@@ -42,16 +42,16 @@ template <int Dim, class R>
 /// W = skew(dL). Q is orthogonal for any increment. A spin w turns by 2 atan(w/2) = w - w^3/12 + ...
 template <class R>
 [[gnu::always_inline]] inline void rotate(const Gradient<2, R>& dL, Stress<2, R>& stress) {
+  // The half-difference and xy of a stress turn by twice the angle. With tan(angle / 2) = h its cosine and sine are
+  // even / (1 + h^2)^2 and odd / (1 + h^2)^2; the division runs beside the products.
   const R h = 0.25 * (dL[1] - dL[2]);
-  const R scale = 1.0 / (1.0 + h * h);
-  const R c = (1.0 - h * h) * scale;
-  const R s = 2.0 * h * scale;
-  const R cos2 = c * c - s * s;
-  const R sin2 = 2.0 * c * s;
+  const R minus = 1.0 - h * h, plus = 1.0 + h * h;
+  const R even = minus * minus - 4.0 * h * h, odd = 4.0 * h * minus;
+  const R scale = 1.0 / (plus * plus);
   const R mean = 0.5 * (stress[0] + stress[1]);
   const R half_difference = 0.5 * (stress[0] - stress[1]);
-  const R turned = cos2 * half_difference + sin2 * stress[3];
-  stress[3] = cos2 * stress[3] - sin2 * half_difference;
+  const R turned = (even * half_difference + odd * stress[3]) * scale;
+  stress[3] = (even * stress[3] - odd * half_difference) * scale;
   stress[0] = mean + turned;
   stress[1] = mean - turned;
 }
