@@ -27,7 +27,7 @@ namespace {
 class Schedule {
  public:
   explicit Schedule(double interval) : interval_(interval) {}
-  bool due(double t) const { return interval_ > 0 && t >= next_ * interval_; }
+  bool due(double t) const { return interval_ > 0 && t >= (next_ - rounding) * interval_; }
   void pass(double t) {
     if (interval_ <= 0) return;
     next_ = std::max(next_, std::floor(t / interval_));
@@ -35,6 +35,7 @@ class Schedule {
   }
 
  private:
+  static constexpr double rounding = 1e-9;  ///< 6 times 0.1 is more than 0.6
   double interval_;
   double next_ = 0;  ///< a whole number
 };
@@ -55,6 +56,12 @@ std::string host_name() {
 std::string describe_run(const Scene& scene, const RunOptions& options) {
   return std::string("geodrop ") + GEODROP_VERSION + " on " + host_name() + ", " + std::to_string(options.threads) +
          " of " + std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
+}
+
+std::string facts_text(const std::vector<Fact>& facts) {
+  std::vector<std::vector<std::string>> lines;
+  for (const Fact& fact : facts) lines.push_back({fact.name, format_number(fact.value, 6), unit_of_name(fact.name)});
+  return format_table(lines, "lrl");
 }
 
 std::vector<std::string> names(const std::vector<MaterialSpec>& materials) {
@@ -230,8 +237,7 @@ void Output<Dim>::print_end(Frame<Dim> frame, const RunStatistics& statistics, c
   const double particle_steps = static_cast<double>(statistics.steps) * static_cast<double>(parts_->particles);
   log("");
   log(stage_table(statistics.stages, particle_steps));
-  for (const Fact& fact : statistics.facts)
-    log(fact.name + " = " + format_number(fact.value, 6) + " " + unit_of_name(fact.name));
+  if (!statistics.facts.empty()) log(facts_text(statistics.facts));
   log(status_name(statistics.status) + " at t = " + format_number(frame->t, 6) + " s after " +
       std::to_string(frame->step) + " steps of " + std::to_string(parts_->particles) + " particles in " +
       format_duration(statistics.wall_seconds) + ", state " + summary.state_hash + ", files in " +

@@ -8,6 +8,7 @@
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -90,8 +91,7 @@ std::string describe(unsigned long code, const std::string& reported) {
   return "VTK error " + std::to_string(code) + " " + reported;
 }
 
-/// VTK reports a failed write to observers (or, without one, on stderr) and by a code, and its stream may swallow the
-/// failure of the last flush: so the end of the file is looked at, too.
+/// VTK reports a failed write by a code, and by events that it prints on stderr unless somebody listens.
 void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::path& path, Compression compression) {
   std::string reported;
   vtkNew<vtkCallbackCommand> observer;
@@ -100,6 +100,7 @@ void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::pat
     *static_cast<std::string*>(text) = message ? static_cast<const char*>(message) : "";
   });
   writer->AddObserver(vtkCommand::ErrorEvent, observer);
+  writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
   writer->SetFileName(path.c_str());
   writer->SetInputDataObject(data);
   writer->SetDataModeToBinary();

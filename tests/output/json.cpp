@@ -1,0 +1,28 @@
+#include "output/json.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+using namespace geodrop;
+
+TEST_CASE("texts are escaped") {
+  CHECK(json_text("a \"b\" \\ c") == R"("a \"b\" \\ c")");
+  CHECK(json_text("two\nlines\tand \x01") == R"("two\nlines\tand \u0001")");
+  CHECK(json_text("K\u0151rös") == "\"K\u0151rös\"");
+}
+
+TEST_CASE("numbers that JSON has no word for are null") {
+  CHECK(json_number(std::numeric_limits<double>::quiet_NaN()) == "null");
+  CHECK(json_number(-std::numeric_limits<double>::infinity()) == "null");
+  CHECK(json_number(-0.125) == "-0.125");
+  CHECK(json_number(1e300) == "1e+300");
+}
+
+TEST_CASE("objects and arrays") {
+  CHECK(json_object({}) == "{}");
+  CHECK(json_array({}) == "[]");
+  CHECK(json_record({{"a", "1"}, {"b", "null"}}) == R"({"a": 1, "b": null})");
+  CHECK(json_object({{"list", json_array({"1", "2"})}, {"x", "3"}}) ==
+        "{\n  \"list\": [\n    1,\n    2\n  ],\n  \"x\": 3\n}");
+}
