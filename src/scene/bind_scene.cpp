@@ -1,8 +1,7 @@
 #include "bind_scene.hpp"
+#include "key_table.hpp"
 
 #include <algorithm>
-
-#include "key_table.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,11 +1,11 @@
 // Turns a complete TOML scene into plain values.
 #pragma once
 
-#include <toml++/toml.h>
+#include "report.hpp"
 
 #include <geodrop/scene.hpp>
 
-#include "report.hpp"
+#include <toml++/toml.h>
 
 namespace geodrop {
 

@@ -1,7 +1,7 @@
 // Checks of bodies: names, what they refer to, and what their material allows.
-#include <map>
-
 #include "check_scene.hpp"
+
+#include <map>
 
 namespace geodrop {
 namespace {

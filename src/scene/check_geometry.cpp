@@ -1,9 +1,10 @@
 // Checks of where bodies are: sound shapes, inside the domain, not empty, no two on the same place.
-#include <algorithm>
-#include <cmath>
+#include "check_scene.hpp"
+
 #include <geodrop/shapes.hpp>
 
-#include "check_scene.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace geodrop {
 namespace {

@@ -1,10 +1,11 @@
 // Checks of the stress at the start: it fits the material, the fluid exists, soil at rest does not yield.
+#include "check_scene.hpp"
+
+#include <geodrop/shapes.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <geodrop/shapes.hpp>
 #include <numbers>
-
-#include "check_scene.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,8 +1,8 @@
-// Checks of materials: limits of plasticity, and the stiffness of pore water.
+// Checks of materials: likely units, limits of plasticity, the stiffness of pore water.
+#include "check_scene.hpp"
+
 #include <cmath>
 #include <numbers>
-
-#include "check_scene.hpp"
 
 namespace geodrop {
 namespace {
@@ -29,6 +29,31 @@ void check_plasticity(const MohrCoulombSpec& soil, const std::string& key, Repor
   }
 }
 
+/// Catches a modulus in MPa or GPa, or a density in g/cm3: the sound speed is then off by a factor of 30 or more.
+void check_wave_speed(double modulus, double density, const std::string& key, const std::string& modulus_name,
+                      Report& report) {
+  constexpr double kSlowest = 1, kFastest = 1e4;  // [m/s]
+  const double speed = std::sqrt(modulus / density);
+  if (speed >= kSlowest && speed <= kFastest) return;
+  report.add(key + modulus_name, "a sound speed of " + to_text(speed) + " m/s",
+             "a modulus in Pa and a density in kg/m3 that give a sound speed from 1 to 10000 m/s");
+}
+
+void check_units(const MaterialSpec& material, const std::string& key, Report& report) {
+  if (!report.healthy(key)) return;
+  if (const auto* fluid = std::get_if<NewtonianSpec>(&material.model)) {
+    check_wave_speed(fluid->bulk_modulus, fluid->density, key, "", report);
+    return;
+  }
+  const auto check_solid = [&](const auto& solid) {
+    const double nu = solid.poissons_ratio;
+    const double compression = solid.youngs_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    check_wave_speed(compression, solid.density, key, ".youngs_modulus", report);
+  };
+  if (const auto* solid = std::get_if<LinearElasticSpec>(&material.model)) check_solid(*solid);
+  if (const auto* soil = std::get_if<MohrCoulombSpec>(&material.model)) check_solid(*soil);
+}
+
 void check_pore_fluid(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
   if (!soil.undrained) return;
   for (const char* name : {".porosity", ".fluid_bulk_modulus", ".youngs_modulus", ".poissons_ratio"}) {
@@ -49,6 +74,7 @@ void check_pore_fluid(const MohrCoulombSpec& soil, const std::string& key, Repor
 
 void check_materials(const Scene& scene, Report& report) {
   for (const MaterialSpec& material : scene.materials) {
+    check_units(material, "materials." + material.name, report);
     const auto* soil = std::get_if<MohrCoulombSpec>(&material.model);
     if (!soil) continue;
     check_plasticity(*soil, "materials." + material.name, report);

@@ -1,11 +1,12 @@
 // Checks of probes, results and expectations: what they refer to exists, names end in their unit.
-#include <algorithm>
-#include <geodrop/scene_reader.hpp>
-#include <set>
-
 #include "check_scene.hpp"
 #include "check_value.hpp"
 #include "key_table.hpp"
+
+#include <geodrop/scene_reader.hpp>
+
+#include <algorithm>
+#include <set>
 
 namespace geodrop {
 namespace {

@@ -1,7 +1,7 @@
 // Checks of membranes: they lie on the outline of their body.
-#include <geodrop/shapes.hpp>
-
 #include "check_scene.hpp"
+
+#include <geodrop/shapes.hpp>
 
 namespace geodrop {
 namespace {

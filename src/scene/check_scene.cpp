@@ -1,9 +1,8 @@
 #include "check_scene.hpp"
+#include "nearest_name.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "nearest_name.hpp"
 
 namespace geodrop {
 namespace {
@@ -29,27 +28,35 @@ bool check_reference(const std::string& key, const std::string& name, const std:
   return false;
 }
 
-void check_grid(const Scene& scene, Report& report) {
-  if (!report.healthy("grid.lower") || !report.healthy("grid.upper") || !report.healthy("grid.spacing") ||
-      !report.healthy("grid"))
-    return;
+namespace {
+
+/// Whole cells along one axis; says whether there is nothing to complain about.
+bool check_axis(const GridSpec& grid, std::size_t axis, Report& report) {
   constexpr double kRounding = 1e-6;  // of a cell: 0.1 m does not divide 17 m exactly in binary
+  const double length = grid.upper[axis] - grid.lower[axis];
+  const double count = length / grid.spacing;
+  if (length <= 0) {
+    report.add("grid.upper", to_text(grid.upper), "larger than grid.lower " + to_text(grid.lower) + " along each axis");
+    return false;
+  }
+  if (count >= 1 - kRounding && std::abs(count - std::round(count)) <= kRounding) return true;
+  const double nearest = length / std::max(1.0, std::round(count));
+  report.add("grid.spacing", to_text(grid.spacing),
+             "a spacing that divides the domain, " + to_text(length) + " m along " + std::string(1, "xyz"[axis]) +
+                 "; the nearest is " + to_text(nearest) + " [m]");
+  return false;
+}
+
+}  // namespace
+
+void check_grid(const Scene& scene, Report& report) {
+  if (!report.healthy("grid")) return;
   constexpr double kMostCells = 2147483647.0;
   const GridSpec& grid = scene.grid;
   double cells = 1;
   for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) {
-    const std::string length = to_text(grid.upper[axis] - grid.lower[axis]) + " m along " + std::string(1, "xyz"[axis]);
-    const double count = (grid.upper[axis] - grid.lower[axis]) / grid.spacing;
-    cells *= count;
-    if (count <= 0) {
-      report.add("grid.upper", to_text(grid.upper),
-                 "larger than grid.lower " + to_text(grid.lower) + " along each axis");
-    } else if (std::abs(count - std::round(count)) > kRounding * std::max(1.0, count * kRounding) ||
-               count < 1 - kRounding) {
-      const double nearest = (grid.upper[axis] - grid.lower[axis]) / std::max(1.0, std::round(count));
-      report.add("grid.spacing", to_text(grid.spacing),
-                 "a spacing that divides the domain, " + length + "; the nearest is " + to_text(nearest) + " [m]");
-    }
+    if (!check_axis(grid, axis, report)) return;
+    cells *= (grid.upper[axis] - grid.lower[axis]) / grid.spacing;
   }
   if (cells > kMostCells) report.add("grid.spacing", to_text(grid.spacing), "at most 2147483647 cells in the domain");
 }

@@ -1,12 +1,14 @@
 // Cross-checks: what a single key cannot tell. Each looks only at keys that are right in themselves.
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <string>
-#include <vector>
-
 #include "report.hpp"
 #include "to_text.hpp"
+
+#include <geodrop/scene.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace geodrop {
 
@@ -27,12 +29,13 @@ inline constexpr const char* kWholeOwners[] = {"energy", "total"};
 const MaterialSpec* find_material(const Scene& scene, const std::string& name);
 const BodySpec* find_body(const Scene& scene, const std::string& name);
 
-/// The names of a list of bodies, materials, membranes or results, without empty ones.
+/// The different names of a list of bodies, materials, membranes or results, without empty ones.
 template <class List>
 std::vector<std::string> names_of(const List& list) {
   std::vector<std::string> names;
   for (const auto& element : list) {
-    if (!element.name.empty()) names.push_back(element.name);
+    const bool is_new = std::find(names.begin(), names.end(), element.name) == names.end();
+    if (!element.name.empty() && is_new) names.push_back(element.name);
   }
   return names;
 }

@@ -1,11 +1,10 @@
 #include "check_value.hpp"
+#include "nearest_name.hpp"
+#include "to_text.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-
-#include "nearest_name.hpp"
-#include "to_text.hpp"
 
 namespace geodrop {
 namespace {

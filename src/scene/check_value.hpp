@@ -1,12 +1,12 @@
 // Checks one value (not a table) against its row of the table of keys.
 #pragma once
 
+#include "key_table.hpp"
+
 #include <toml++/toml.h>
 
 #include <string>
 #include <string_view>
-
-#include "key_table.hpp"
 
 namespace geodrop {
 

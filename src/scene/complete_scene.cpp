@@ -1,11 +1,10 @@
 #include "complete_scene.hpp"
-
-#include <algorithm>
-#include <set>
-
 #include "check_value.hpp"
 #include "nearest_name.hpp"
 #include "to_text.hpp"
+
+#include <algorithm>
+#include <set>
 
 namespace geodrop {
 namespace {
@@ -45,14 +44,13 @@ class TableWalker {
     const std::string path = path_of(key.name);
     const toml::node* node = written_.get(key.name);
     if (node && key.need.how == Need::How::instead_of && written_.contains(key.need.text)) {
-      node = nullptr;
-      report_.add_at(to_ref(written_.get(key.name)->source()), path,
-                     "both " + std::string(key.name) + " and " + std::string(key.need.text), "exactly one of them");
+      report_.add_at(to_ref(*node), path, "both " + std::string(key.name) + " and " + std::string(key.need.text),
+                     "exactly one of them");
       undecided_.insert(std::string(key.name));
       return;
     }
     if (node) {
-      report_.place(path, to_ref(node->source()));
+      report_.place(path, to_ref(*node));
       if (!accept(key, *node, path)) undecided_.insert(std::string(key.name));
     } else {
       take_missing(key, path);
@@ -115,7 +113,7 @@ class TableWalker {
     toml::table named;
     for (const auto& [name, element] : *tables) {
       const std::string element_path = join_path(path, name.str());
-      report_.place(element_path, to_ref(element.source()));
+      report_.place(element_path, to_ref(element));
       if (!is_identifier(name.str())) {
         report_.add_at(to_ref(name.source()), element_path, '"' + std::string(name.str()) + '"',
                        "a name of " + std::string(kIdentifierText));
@@ -141,7 +139,7 @@ class TableWalker {
     for (std::size_t i = 0; i < list->size(); ++i) {
       const toml::table& table = *list->get(i)->as_table();
       const std::string element_path = join_path(path, element_name(key, table, i, names));
-      report_.place(element_path, to_ref(table.source()));
+      report_.place(element_path, to_ref(table));
       report_.add_element(path, element_path);
       completed.push_back(TableWalker(table, key.name, element_path, dimension_, report_).complete());
     }

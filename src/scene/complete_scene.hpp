@@ -1,9 +1,9 @@
 // Checks a scene as written against the table of keys and fills in the defaults.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include "report.hpp"
+
+#include <toml++/toml.h>
 
 namespace geodrop {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
+
 #include <vector>
 
 namespace geodrop {

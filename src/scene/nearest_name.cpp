@@ -34,7 +34,7 @@ std::string name_advice(std::string_view name, const std::vector<std::string>& k
   if (known.empty()) return "nothing here: the scene has no " + std::string(kind);
   std::string text = "one of ";
   for (const std::string& word : known) text += (&word == &known.front() ? "\"" : ", \"") + word + '"';
-  if (known.size() > 1) text += "; the nearest is \"" + nearest_name(name, known) + '"';
+  text += "; the nearest is \"" + nearest_name(name, known) + '"';
   return text;
 }
 

@@ -1,12 +1,11 @@
 #include "overrides.hpp"
+#include "key_table.hpp"
+#include "nearest_name.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <optional>
-
-#include "key_table.hpp"
-#include "nearest_name.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,12 +1,12 @@
 // The texts of --set key=value, applied to a parsed scene before it is checked.
 #pragma once
 
+#include "report.hpp"
+
 #include <toml++/toml.h>
 
 #include <string>
 #include <vector>
-
-#include "report.hpp"
 
 namespace geodrop {
 

@@ -1,13 +1,14 @@
-#include <fstream>
 #include <geodrop/scene_reader.hpp>
-#include <sstream>
-#include <utility>
 
 #include "bind_scene.hpp"
 #include "check_scene.hpp"
 #include "complete_scene.hpp"
 #include "overrides.hpp"
 #include "write_scene.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <utility>
 
 namespace geodrop {
 namespace {

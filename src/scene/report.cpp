@@ -11,6 +11,16 @@ SourceRef to_ref(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+SourceRef to_ref(const toml::node& node) {
+  const SourceRef at = to_ref(node.source());
+  const toml::array* list = node.as_array();
+  const bool values =
+      list && std::none_of(list->begin(), list->end(), [](const toml::node& x) { return x.is_table(); });
+  if (values && std::any_of(list->begin(), list->end(), [](const toml::node& x) { return to_ref(x) == SourceRef{}; }))
+    return {};
+  return at;
+}
+
 SourceRef Report::where(std::string key) const {
   while (true) {
     if (const auto place = places_.find(key); place != places_.end()) return place->second;

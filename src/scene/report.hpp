@@ -1,9 +1,10 @@
 // What reading a scene finds out beside its values: where each key stands, and what is wrong.
 #pragma once
 
+#include <geodrop/error.hpp>
+
 #include <toml++/toml.h>
 
-#include <geodrop/error.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ namespace geodrop {
 inline constexpr const char* kOverrideSource = "--set";
 
 SourceRef to_ref(const toml::source_region& region);
+/// A list of which one element was given by --set counts as given by --set.
+SourceRef to_ref(const toml::node& node);
 
 class Report {
  public:

@@ -24,11 +24,12 @@ against (`src/scene/key_table.cpp`), so it says what the program does.
 - Numbers are finite; only `to` of a result may be `inf`.
 
 Further checks, across keys: the spacing divides the domain (walls stand on grid lines); bodies lie inside the domain,
-have area left, and do not overlap (`minus` cuts one out of another; a half-plane is cut off by the domain); names that
-are referred to exist; names of bodies, membranes and probes differ, as do those of results; the points of a membrane lie
-within a tenth of a cell of its body's outline; `k0` lies within the yield surface of the soil; the stress at the start
-fits the material; an undrained soil has K_f / n of at least 20 times the bulk modulus of its skeleton (Skempton's B of
-0.95); `dilatancy_angle_deg` is at most `friction_angle_deg`; `tension_cutoff` is at most c cot(phi); only fluids shift.
+have area left, and do not overlap (`minus` cuts one out of another; a half-plane is cut off by the domain); names
+that are referred to exist; names of bodies, membranes and probes differ, as do those of results; the points of a
+membrane lie within a tenth of a cell of its body's outline; `k0` lies within the yield surface of the soil; the
+stress at the start fits the material; moduli and density give a sound speed from 1 to 10000 m/s (a guard against MPa
+and GPa); an undrained soil has K_f / n of at least 20 times the bulk modulus of its skeleton (Skempton's B of 0.95);
+`dilatancy_angle_deg` is at most `friction_angle_deg`; `tension_cutoff` is at most c cot(phi); only fluids shift.
 
 Names of results and of columns of history.csv end in their unit: `_m`, `_s`, `_m_s`, `_m_s2`, `_Pa`, `_N_m`, `_J_m`,
 `_rad`, `_deg`, `_ratio` (no unit), `_r_squared` and so on.

@@ -1,11 +1,12 @@
+#include <geodrop/shapes.hpp>
+
+#include "ellipse.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <geodrop/shapes.hpp>
 #include <limits>
 #include <numbers>
-
-#include "ellipse.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,9 +1,8 @@
 #include "write_scene.hpp"
-
-#include <set>
-
 #include "key_table.hpp"
 #include "to_text.hpp"
+
+#include <set>
 
 namespace geodrop {
 namespace {
