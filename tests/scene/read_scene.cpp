@@ -1,0 +1,156 @@
+// A scene's values as they come out of the reader, and the scene as run.
+#include "support/scene_files.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <variant>
+
+using namespace geodrop;
+
+namespace {
+
+const std::string every_key = source_path("tests/scene/every_key.toml");
+
+/// Two scenes from different files: only positions, path and the text as run may differ.
+Scene without_places(Scene scene) {
+  const auto clear = [](auto& list) {
+    for (auto& element : list) element.at = {};
+  };
+  clear(scene.materials);
+  clear(scene.bodies);
+  clear(scene.membranes);
+  clear(scene.probes);
+  clear(scene.results);
+  clear(scene.expect);
+  scene.file.clear();
+  scene.as_run.clear();
+  return scene;
+}
+
+template <class Model>
+const Model& model_of(const Scene& scene, const std::string& name) {
+  for (const MaterialSpec& material : scene.materials) {
+    if (material.name == name) return std::get<Model>(material.model);
+  }
+  throw std::out_of_range(name);
+}
+
+}  // namespace
+
+TEST_CASE("numerics as written") {
+  const Scene scene = read_scene(every_key);
+  CHECK(scene.file == every_key);
+  CHECK(scene.title == "Every key");
+  CHECK(scene.dimension == 2);
+  CHECK(scene.gravity == Point{0, -9.81});
+  CHECK(scene.grid.upper == Point{10, 10});
+  CHECK(scene.grid.spacing == 0.5);
+  CHECK(scene.walls.lower == std::vector{WallKind::slip, WallKind::no_slip});  // left, bottom
+  CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
+  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.5});
+  CHECK(scene.time.end == 2.0);
+  CHECK(scene.output == OutputSpec{0.1, 0.01, true});
+}
+
+TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
+  const Scene scene = read_scene(every_key);
+  REQUIRE(scene.materials.size() == 5);
+  CHECK(model_of<NewtonianSpec>(scene, "water") == NewtonianSpec{1000, 3.6e6, 1e-3});
+  CHECK(model_of<NewtonianSpec>(scene, "oil").bulk_modulus == 1e9);
+  CHECK(model_of<LinearElasticSpec>(scene, "steel") == LinearElasticSpec{7800, 2e11, 0.3});
+  const auto& sand = model_of<MohrCoulombSpec>(scene, "sand");
+  CHECK(sand == MohrCoulombSpec{1631, 2.8e6, 0.333, 1e3, 30, 5, 100, std::nullopt});
+  CHECK(model_of<MohrCoulombSpec>(scene, "clay").undrained == UndrainedSpec{0.4, 80e6});
+}
+
+TEST_CASE("bodies as written") {
+  const Scene scene = read_scene(every_key);
+  REQUIRE(scene.bodies.size() == 5);
+  const BodySpec &sea = scene.bodies[0], &bed = scene.bodies[1], &bag = scene.bodies[2], &wedge = scene.bodies[3],
+                 &bar = scene.bodies[4];
+  CHECK(sea.shape == Shape{BoxShape{{0, 2}, {10, 7}}});
+  CHECK(sea.minus == std::vector<std::string>{"bag"});
+  CHECK(sea.particles_per_cell_axis == 3);
+  CHECK(sea.jitter == 0.1);
+  CHECK(sea.jitter_seed == 7);
+  CHECK(sea.shift);
+  CHECK(sea.shift_speed == 0.1);
+  CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
+  CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
+  CHECK(sea.at.line == 75);
+  CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
+  CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
+  CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
+  CHECK(bag.layers == 12);
+  CHECK(bag.pressure == PressureSupport::cell);
+  CHECK(bag.initial_stress == InitialStress{FluidPressureSpec{{"water", 7}}});
+  CHECK(wedge.shape == Shape{PolygonShape{{{1, 8}, {3, 8}, {1, 9.5}}}});
+  CHECK(wedge.pressure == PressureSupport::particle);
+  CHECK(wedge.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, -1}}});
+  CHECK(wedge.initial_stress == InitialStress{ZeroStressSpec{}});
+  CHECK(bar.initial_velocity == InitialVelocity{BarFirstModeSpec{0.1, 1, 25}});
+}
+
+TEST_CASE("membranes, probes and results as written") {
+  const Scene scene = read_scene(every_key);
+  REQUIRE(scene.membranes.size() == 2);
+  CHECK(scene.membranes[0].points.empty());
+  CHECK(scene.membranes[0].axial_stiffness == 1e6);
+  CHECK(scene.membranes[0].slack == 0.01);
+  CHECK(scene.membranes[0].segments_per_cell == 3);
+  CHECK(scene.membranes[1].averaging_segments == 2);
+  CHECK_FALSE(scene.membranes[1].closed);
+  CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
+  REQUIRE(scene.probes.size() == 2);
+  CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
+  CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) == HydrostaticProbeSpec{"still", "sea", {"water", 7}});
+  REQUIRE(scene.results.size() == 10);
+  using enum Reduction;
+  const std::vector<Reduction> kinds{last,           min,      max, mean, rms, percentile, period, first_time_below,
+                                     rms_difference, r_squared};
+  for (std::size_t i = 0; i < kinds.size(); ++i) CHECK(scene.results[i].reduce == kinds[i]);
+  CHECK(scene.results[0].from == 0.5);
+  CHECK(scene.results[0].to == 1.5);
+  CHECK(scene.results[0].scale == -1);
+  CHECK(scene.results[1].from == 0);
+  CHECK(scene.results[1].to == std::numeric_limits<double>::infinity());
+  CHECK(scene.results[5].percentile == 95);
+  CHECK(scene.results[7].level == 2);
+  CHECK(scene.results[8].times == std::vector{0.5, 1.0});
+  CHECK(scene.results[8].values == std::vector{4.0, 3.0});
+  CHECK(scene.results[9].against == "energy.kinetic_J");
+  REQUIRE(scene.expect.size() == 2);
+  CHECK(scene.expect[1].expected == 4.5);
+  CHECK(scene.expect[1].source == "computed");
+}
+
+TEST_CASE("the scene as run reads back as the same scene") {
+  const std::vector<std::string> paths{every_key, source_path("cases/hydrostatic_column.toml"),
+                                       source_path("cases/gravity_column.toml"), source_path("cases/elastic_bar.toml"),
+                                       source_path("cases/dump_kekerdom.toml")};
+  for (const std::string& path : paths) {
+    CAPTURE(path);
+    const Scene scene = read_scene(path, {"title=\"a \\\"quoted\\\" back\\\\slash\\n\"", "grid.spacing=0.05"});
+    const TemporaryDirectory directory;
+    const std::filesystem::path copy = directory / "scene.toml";
+    std::ofstream(copy) << scene.as_run;
+    const Scene again = read_scene(copy);
+    CHECK(without_places(again) == without_places(scene));
+    CHECK(again.as_run == scene.as_run);
+    CHECK(again.grid.spacing == 0.05);
+  }
+}
+
+TEST_CASE("units are the ends of names") {
+  CHECK(unit_of_name("fall_velocity_max_m_s") == "m/s");
+  CHECK(unit_of_name("container.velocity_y_m_s") == "m/s");
+  CHECK(unit_of_name("tension_N_m") == "N/m");
+  CHECK(unit_of_name("initial_acceleration_m_s2") == "m/s2");
+  CHECK(unit_of_name("density_kg_m3") == "kg/m3");
+  CHECK(unit_of_name("height_m") == "m");
+  CHECK(unit_of_name("pressure_error_ratio") == "1");
+  CHECK(unit_of_name("mean_stress_r_squared") == "1");
+  CHECK(unit_of_name("height").empty());
+  CHECK(unit_of_name("_m").empty());
+}
