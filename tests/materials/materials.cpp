@@ -1,0 +1,59 @@
+// The constants of a material and what the time step asks of it.
+#include "element.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+template <class Spec>
+Material material(const Spec& spec) {
+  MaterialSpec named;
+  named.model = spec;
+  return make_material(named);
+}
+
+}  // namespace
+
+TEST_CASE("Moduli, wave speed and viscosity follow from the scene's constants") {
+  const Material water = material(NewtonianSpec{1000, 2.13e9, 8.9e-4});
+  CHECK(wave_speed(water) == doctest::Approx(1459.45195).epsilon(1e-8));  // sqrt(2.13e6)
+  CHECK(kinematic_viscosity(water) == doctest::Approx(8.9e-7));
+  CHECK(reference_density(water) == 1000);
+
+  // E = 10 MPa, nu = 1/4: K = E / 1.5, G = E / 2.5, K + 4G/3 = 12 MPa.
+  const Material solid = material(LinearElasticSpec{3000, 10e6, 0.25});
+  CHECK(std::get<LinearElastic>(solid).bulk_modulus == doctest::Approx(10e6 / 1.5));
+  CHECK(std::get<LinearElastic>(solid).shear_modulus == doctest::Approx(4e6));
+  CHECK(wave_speed(solid) == doctest::Approx(std::sqrt(12e6 / 3000)));
+  CHECK(kinematic_viscosity(solid) == 0);
+}
+
+TEST_CASE("Pore water stiffens an undrained soil") {
+  MohrCoulombSpec spec;
+  spec.density = 2000;
+  spec.youngs_modulus = 10e6;
+  spec.poissons_ratio = 0.25;
+  spec.friction_angle_deg = 30;
+  const Material drained = material(spec);
+  CHECK(wave_speed(drained) == doctest::Approx(std::sqrt(12e6 / 2000)));
+  CHECK(skempton_b(std::get<MohrCoulomb>(drained)) == 0);
+  spec.undrained = UndrainedSpec{0.4, 80e6};
+  const Material undrained = material(spec);
+  CHECK(std::get<MohrCoulomb>(undrained).pore_stiffness == doctest::Approx(200e6));
+  CHECK(wave_speed(undrained) == doctest::Approx(std::sqrt(212e6 / 2000)));
+  CHECK(skempton_b(std::get<MohrCoulomb>(undrained)) == doctest::Approx(200 / (200 + 10 / 1.5)));
+}
+
+TEST_CASE("The tension cut-off is kept at or below the apex") {
+  const double apex = 1000 * std::sqrt(3.0);  // c cot(30 degrees)
+  CHECK(soil({1e6, 0.3, 1000, 30, 0, 1800}).tension_cutoff == doctest::Approx(apex));
+  CHECK(soil({1e6, 0.3, 1000, 30, 0, 600}).tension_cutoff == 600);
+  CHECK(soil({1e6, 0.3, 1000, 0, 0, 600}).tension_cutoff == 600);  // without friction there is no apex
+  const MohrCoulomb law = soil({1e6, 0.3, 1000, 30, 10});
+  CHECK(law.sin_phi == doctest::Approx(0.5));
+  CHECK(law.cos_phi == doctest::Approx(std::sqrt(0.75)));
+  CHECK(law.sin_psi == doctest::Approx(0.17364818));
+}
