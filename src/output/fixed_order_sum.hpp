@@ -13,7 +13,7 @@ Sums fixed_order_sum(std::size_t count, const Add& add) {
   constexpr std::size_t chunk = 4096;
   const std::size_t chunks = (count + chunk - 1) / chunk;
   std::vector<Sums> parts(chunks);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::size_t c = 0; c < chunks; ++c) {
     Sums part;
     const std::size_t end = count < (c + 1) * chunk ? count : (c + 1) * chunk;

@@ -1,0 +1,196 @@
+"""Show a geodrop run in ParaView: layers of the bag, water faint, membrane by tension, camera on the bag.
+
+    pvpython show_run.py RUN_DIR [--time T]                       opens a window
+    pvbatch show_run.py RUN_DIR [--time T] --screenshot FILE      writes a PNG
+
+Works with ParaView 5.11 (Debian 12) and later. Without a display: xvfb-run -a pvbatch ...
+"""
+
+import argparse
+import os
+import re
+import sys
+
+from paraview import simple as pv
+
+WATER_COLOUR = [0.45, 0.65, 0.85]
+WATER_OPACITY = 0.25
+SOLID_COLOURS = [[0.62, 0.55, 0.45], [0.50, 0.50, 0.50]]
+# Light and dark in turn, so that neighbouring layers differ also in a print without colour.
+LAYER_COLOURS = [[0.85, 0.62, 0.25], [0.45, 0.26, 0.12]]
+# Part of the picture's height that the body takes.
+BODY_SHARE = 0.75
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("run", help="directory of a run, with particles.pvd")
+    parser.add_argument("--time", type=float, help="simulated time [s]; the nearest frame is shown; default: the last")
+    parser.add_argument("--screenshot", help="PNG file to write instead of opening a window")
+    parser.add_argument("--size", type=int, nargs=2, default=[1000, 1200], metavar=("WIDTH", "HEIGHT"))
+    return parser.parse_args()
+
+
+def read_scene(path):
+    """Tables of scene.toml with their one-line texts and numbers: {header: [table, ...]}.
+
+    Only the plain `key = value` lines that geodrop writes; ParaView's own Python may be too old to bring tomllib.
+    """
+    tables = {}
+    table = tables.setdefault("", [{}])[0]
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            header = re.match(r"\[+([\w.-]+)\]+\s*$", line)
+            if header:
+                table = {}
+                tables.setdefault(header.group(1), []).append(table)
+                continue
+            pair = re.match(r'([\w-]+) = (?:"([^"]*)"|([-+.\deE]+))\s*$', line)
+            if pair:
+                table[pair.group(1)] = pair.group(2) if pair.group(2) is not None else float(pair.group(3))
+    return tables
+
+
+def is_fluid(scene, body):
+    return scene["materials." + body["material"]][0]["model"] == "newtonian"
+
+
+def camera_body(scene):
+    """Index of the body that the picture is about: the first one in a membrane, else the first solid, else any."""
+    bodies = scene["bodies"]
+    names = [body["name"] for body in bodies]
+    if "membranes" in scene:
+        return names.index(scene["membranes"][0]["body"])
+    solids = [index for index, body in enumerate(bodies) if not is_fluid(scene, body)]
+    return solids[0] if solids else 0
+
+
+def nearest_time(reader, wanted):
+    times = list(reader.TimestepValues) if hasattr(reader.TimestepValues, "__iter__") else [reader.TimestepValues]
+    return times[-1] if wanted is None else min(times, key=lambda t: abs(t - wanted))
+
+
+def show_particles(source, view, radius):
+    """Discs of `radius` [m], so that a picture at any zoom shows the same body."""
+    display = pv.Show(source, view)
+    display.SetRepresentationType("Point Gaussian")
+    display.ShaderPreset = "Plain circle"
+    display.GaussianRadius = radius
+    return display
+
+
+def put_behind(display, particles):
+    """In 2D all particles lie in one plane, where a faint disc would veil the bag's."""
+    z0, z1 = particles.GetDataInformation().GetBounds()[4:]
+    if z0 == z1:
+        display.Position = [0, 0, -1]
+
+
+def colour_plainly(display, colour, opacity):
+    display.ColorArrayName = ["POINTS", ""]  # ColorBy(display, None) fails in 5.11
+    display.DiffuseColor = display.AmbientColor = colour
+    display.Opacity = opacity
+
+
+def colour_by_layer(display, layers):
+    pv.ColorBy(display, ("POINTS", "layer"))
+    table = pv.GetColorTransferFunction("layer")
+    table.InterpretValuesAsCategories = 1
+    table.AnnotationsInitialized = 1
+    table.Annotations = [text for layer in range(layers) for text in (str(layer), str(layer))]
+    table.IndexedColors = [part for layer in range(layers) for part in LAYER_COLOURS[layer % 2]]
+
+
+def show_bodies(particles, scene, view):
+    """Shows every body; returns the source of the one that the camera looks at."""
+    spacing = scene["grid"][0]["spacing"]
+    centre_of_interest = None
+    for index, body in enumerate(scene["bodies"]):
+        source = pv.Threshold(registrationName=body["name"], Input=particles)
+        source.Scalars = ["POINTS", "body"]
+        source.LowerThreshold = index
+        source.UpperThreshold = index
+        # Discs that just overlap: the diagonal half of the spacing of particles.
+        radius = 0.75 * spacing / body.get("particles_per_cell_axis", 2)
+        display = show_particles(source, view, radius)
+        if is_fluid(scene, body):
+            put_behind(display, particles)
+            colour_plainly(display, WATER_COLOUR, WATER_OPACITY)
+        elif body.get("layers", 1) > 1:
+            colour_by_layer(display, int(body["layers"]))
+        else:
+            colour_plainly(display, SOLID_COLOURS[index % len(SOLID_COLOURS)], 1.0)
+        if index == camera_body(scene):
+            centre_of_interest = source
+    return centre_of_interest
+
+
+def show_membranes(path, view, time):
+    membranes = pv.PVDReader(registrationName="membranes", FileName=path)
+    membranes.UpdatePipeline(time)
+    display = pv.Show(membranes, view)
+    display.SetRepresentationType("Surface")
+    display.LineWidth = 5
+    pv.ColorBy(display, ("CELLS", "tension"))
+    table = pv.GetColorTransferFunction("tension")
+    table.ApplyPreset("Viridis (matplotlib)", True)
+    largest = membranes.CellData["tension"].GetRange()[1]
+    table.RescaleTransferFunction(0, max(largest, 1.0))
+    legend = pv.GetScalarBar(table, view)
+    legend.Title = "tension [N/m]"
+    legend.ComponentTitle = ""
+    legend.TitleColor = legend.LabelColor = [0, 0, 0]
+    legend.WindowLocation = "Upper Right Corner"
+    legend.Visibility = 1
+
+
+def aim_camera(view, source, time):
+    source.UpdatePipeline(time)
+    x0, x1, y0, y1, _, _ = source.GetDataInformation().GetBounds()
+    centre = [(x0 + x1) / 2, (y0 + y1) / 2, 0]
+    width, height = view.ViewSize
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [centre[0], centre[1], 100]
+    view.CameraViewUp = [0, 1, 0]
+    view.CameraParallelScale = 0.5 * max(y1 - y0, (x1 - x0) * height / width) / BODY_SHARE
+
+
+def main():
+    arguments = parse_arguments()
+    collection = os.path.join(arguments.run, "particles.pvd")
+    if not os.path.exists(collection):
+        sys.exit("show_run.py: no particles.pvd in " + arguments.run + ", so it is not the directory of a run")
+    scene = read_scene(os.path.join(arguments.run, "scene.toml"))
+    pv._DisableFirstRenderCameraReset()
+    view = pv.CreateRenderView()
+    view.ViewSize = arguments.size
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.OrientationAxesVisibility = 0
+    view.InteractionMode = "2D"
+
+    particles = pv.PVDReader(registrationName="particles", FileName=collection)
+    time = nearest_time(particles, arguments.time)
+    particles.UpdatePipeline(time)
+    pv.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    view.ViewTime = time
+    body = show_bodies(particles, scene, view)
+    membranes = os.path.join(arguments.run, "membranes.pvd")
+    if os.path.exists(membranes):
+        show_membranes(membranes, view, time)
+    label = pv.Show(pv.Text(registrationName="time", Text="t = {:.2f} s".format(time)), view)
+    label.Color = [0, 0, 0]
+    label.FontSize = 24
+    label.WindowLocation = "Upper Left Corner"
+    aim_camera(view, body, time)
+
+    if arguments.screenshot:
+        pv.SaveScreenshot(arguments.screenshot, view, ImageResolution=arguments.size)
+        print("show_run.py: t = {:g} s -> {}".format(time, arguments.screenshot))
+    else:
+        pv.Render(view)
+        pv.Interact(view)
+
+
+main()
