@@ -7,6 +7,9 @@
 
 namespace geodrop {
 
+/// Fewer active blocks than this are not worth waking threads for (a wake costs some microseconds, a block about one).
+inline constexpr std::ptrdiff_t blocks_worth_threads = 16;
+
 /// Calls f(begin, count, coordinates of the first node) for each row (along x) of a block; flat indices, ghosts
 /// included.
 template <int Dim, class F>
@@ -49,7 +52,7 @@ void for_each_real_row_of_block(const GridLayout<Dim>& layout, std::uint32_t blo
 template <int Dim, class F>
 void for_each_active_real_row(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
   const auto n = static_cast<std::ptrdiff_t>(state.active_blocks.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < n; ++b) for_each_real_row_of_block(layout, state.active_blocks[b], f);
 }
 
@@ -57,7 +60,7 @@ void for_each_active_real_row(const State<Dim>& state, const GridLayout<Dim>& la
 template <int Dim, class F>
 void for_each_active_row(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
   const auto n = static_cast<std::ptrdiff_t>(state.active_blocks.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < n; ++b) for_each_row_of_block(layout, state.active_blocks[b], f);
 }
 

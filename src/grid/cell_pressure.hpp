@@ -22,8 +22,12 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
 template <int Dim>
 void cell_volume_rate(const State<Dim>& state, Grid<Dim>& grid);
 
-/// Force of the cell pressures on the node with stored coordinates `node`, flat index `flat` [N].
+/// Nodes of a row of a block, in one structure of arrays.
 template <int Dim>
-std::array<double, Dim> cell_pressure_force(const Grid<Dim>& grid, const std::array<int, Dim>& node, int flat);
+using RowForce = std::array<std::array<double, GridLayout<Dim>::block_width[0]>, Dim>;
+
+/// Force of the cell pressures on `count` nodes along x from flat index `begin`, stored coordinates `node` [N].
+template <int Dim>
+RowForce<Dim> cell_pressure_force(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& node);
 
 }  // namespace geodrop

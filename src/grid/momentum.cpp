@@ -65,29 +65,42 @@ double fill_ratio(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& n
   return (Dim == 2 ? grid.sum[flat][2] : grid.force[flat][3]) / whole;
 }
 
-/// Velocity update of one node; returns the impulse that it could not take.
+/// Impulses that light nodes could not take, by node.
+using LeftOver = std::vector<std::pair<int, Vec4>>;
+
+struct MomentumStep {
+  Vec4 gravity;  ///< dt g [m/s]
+  double dt;
+};
+
+/// Velocity of one node from its sums and `impulse` [N s], the cell pressure's and, if separate, the stresses'.
 template <int Dim>
-Vec4 update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, const Vec4& gravity_step, double dt) {
-  const bool separate = !grid.force.empty();
-  const Vec4 sum = grid.sum[flat];
-  const double m = sum[3];
-  Vec4 velocity{}, change{}, left_over{};
+void update_node(Grid<Dim>& grid, int flat, const Vec4& impulse, const MomentumStep& step, LeftOver& left_over) {
+  const double m = grid.sum[flat][3];
+  Vec4 velocity{}, change{};
   if (m > 0) {
-    Vec4 impulse{};
-    if (!grid.cell_pressure.empty()) {
-      const auto force = cell_pressure_force<Dim>(grid, node, flat);
-      for (int a = 0; a < Dim; ++a) impulse[a] = dt * force[a];
-    }
-    if (separate) impulse += dt * grid.force[flat];
-    const double carried = std::min(1.0, m / grid.light_mass);
-    left_over = (1 - carried) * impulse;
-    change = impulse * (carried / m) + gravity_step;
-    velocity = sum / m + change;
+    const double inv_m = 1 / m, carried = std::min(inv_m, 1 / grid.light_mass);
+    change = impulse * carried + step.gravity;
+    velocity = grid.sum[flat] * inv_m + change;
+    if (m < grid.light_mass) left_over.emplace_back(flat, (1 - m / grid.light_mass) * impulse);
   }
-  velocity[3] = fill_ratio<Dim>(grid, flat, node);
   grid.velocity[flat] = velocity;
-  if (separate) grid.velocity_change[flat] = change;
-  return left_over;
+  if (!grid.velocity_change.empty()) grid.velocity_change[flat] = change;
+}
+
+template <int Dim>
+void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node, const MomentumStep& step,
+                LeftOver& left_over) {
+  const RowForce<Dim> force =
+      grid.cell_pressure.empty() ? RowForce<Dim>{} : cell_pressure_force<Dim>(grid, begin, count, node);
+  const bool separate = !grid.force.empty();
+  for (int k = 0; k < count; ++k, ++node[0]) {
+    Vec4 impulse{};
+    for (int a = 0; a < Dim; ++a) impulse[a] = force[a][k];
+    if (separate) impulse += grid.force[begin + k];
+    update_node(grid, begin + k, step.dt * impulse, step, left_over);
+    grid.velocity[begin + k][3] = fill_ratio<Dim>(grid, begin + k, node);
+  }
 }
 
 template <int Dim>
@@ -119,19 +132,15 @@ void fold_walls(Grid<Dim>& grid) {
 
 template <int Dim>
 void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt) {
-  Vec4 gravity_step{};
-  for (int a = 0; a < Dim; ++a) gravity_step[a] = dt * gravity[a];
+  MomentumStep step{{}, dt};
+  for (int a = 0; a < Dim; ++a) step.gravity[a] = dt * gravity[a];
   const auto blocks = static_cast<std::ptrdiff_t>(state.active_blocks.size());
-  std::vector<std::vector<std::pair<int, Vec4>>> left_over(blocks);
-#pragma omp parallel for schedule(static)
+  std::vector<LeftOver> left_over(blocks);
+#pragma omp parallel for schedule(static) if (blocks >= blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < blocks; ++b)
     for_each_real_row_of_block(grid.layout, state.active_blocks[b],
-                               [&](int begin, int count, std::array<int, Dim> node) {
-                                 for (int k = 0; k < count; ++k, ++node[0]) {
-                                   const Vec4 rest = update_node<Dim>(grid, begin + k, node, gravity_step, dt);
-                                   if (const double m = grid.sum[begin + k][3]; m > 0 && m < grid.light_mass)
-                                     left_over[b].emplace_back(begin + k, rest);
-                                 }
+                               [&](int begin, int count, const std::array<int, Dim>& node) {
+                                 update_row<Dim>(grid, begin, count, node, step, left_over[b]);
                                });
   for (const auto& block : left_over)
     for (const auto& [flat, impulse] : block) share_left_over(grid, flat, impulse);

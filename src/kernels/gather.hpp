@@ -16,11 +16,15 @@ struct GatherOptions {
   double damping;  ///< factor on the new velocity, exp(-beta dt) [-]
 };
 
-/// Velocity gradient and volume rate of a chunk, handed from the transfer to the material law.
+/// What the transfer of a chunk hands to the motion and to the material law.
 template <int Dim>
 struct ChunkRates {
   alignas(64) double increment[Dim * Dim][chunk_size];  ///< dt L, row-major [-]
   alignas(64) double volume[chunk_size];                ///< dt D [-]
+  alignas(64) double velocity[Dim][chunk_size];         ///< sum N v' [m/s]
+  alignas(64) double change[Dim][chunk_size];           ///< sum N (v' - v) [m/s]; only for Transfer::blend
+  alignas(
+      64) double fill_slope[Dim][chunk_size];  ///< gradient of the fill ratio [1/m]; 0 where particles must not shift
 };
 
 /// Sums over the support of one particle; lanes as in Grid::velocity.
@@ -79,53 +83,108 @@ GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis
   return s;
 }
 
-/// Step out of clumps and into voids: dx = -h dt (|v| + v0) grad(phi), v += C dx (design.md section 2, step 6).
-template <int Dim>
-void shift_particle(Body<Dim>& body, std::size_t p, const GatherSums<Dim>& s, double h, double dt) {
-  double speed2 = 0;
-  for (int a = 0; a < Dim; ++a) speed2 += body.v[a][p] * body.v[a][p];
-  const double scale = -h * dt * (__builtin_sqrt(speed2) + body.shift_speed);
-  double dx[Dim];
-  for (int a = 0; a < Dim; ++a) {
-    dx[a] = scale * s.gradient[a][3];
-    body.x[a][p] += dx[a];
+/// Spreads the sums of particle p = k of the chunk over the arrays of the chunk and of the body.
+template <int Dim, bool Blend>
+void store_sums(Body<Dim>& body, GatherSums<Dim> s, double inertia_inverse, double dt, bool shift, std::size_t p, int k,
+                ChunkRates<Dim>& rates) {
+  double trace = 0;
+  for (int b = 0; b < Dim; ++b) {
+    const Vec4 affine = inertia_inverse * s.moment[b];
+    const Vec4 increment = dt * s.gradient[b];
+    trace += increment[b];
+    for (int a = 0; a < Dim; ++a) {
+      body.affine[a * Dim + b][p] = affine[a];
+      rates.increment[a * Dim + b][k] = increment[a];
+    }
+    rates.velocity[b][k] = s.value[b];
+    if constexpr (Blend) rates.change[b][k] = s.change[b];
+    if (body.shift) rates.fill_slope[b][k] = shift ? s.gradient[b][3] : 0.0;
   }
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b) body.v[a][p] += body.affine[a * Dim + b][p] * dx[b];
+  rates.volume[k] = trace;
 }
 
-/// Largest speed and displacement seen, for the time step and the sort.
+template <int Dim, bool Blend>
+void move_chunk(Body<Dim>& body, const GatherOptions& options, const ChunkRates<Dim>& rates, std::size_t p, int count) {
+  const double dt = options.dt, keep = options.keep, damping = options.damping;
+  for (int a = 0; a < Dim; ++a) {
+    double* const x = body.x[a].data() + p;
+    double* const v = body.v[a].data() + p;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+      double value = rates.velocity[a][k];
+      x[k] += dt * value;
+      if constexpr (Blend) value = keep * (v[k] + rates.change[a][k]) + (1 - keep) * value;
+      v[k] = damping * value;
+    }
+  }
+}
+
+/// Step out of clumps and into voids: dx = -h dt (|v| + v0) grad(phi), v += C dx (design.md section 2, step 6).
+template <int Dim>
+void shift_chunk(Body<Dim>& body, const ChunkRates<Dim>& rates, double h, double dt, std::size_t p, int count) {
+  alignas(64) double scale[chunk_size] = {};
+  for (int a = 0; a < Dim; ++a) {
+    const double* const v = body.v[a].data() + p;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) scale[k] += v[k] * v[k];
+  }
+  const double v0 = body.shift_speed;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) scale[k] = -h * dt * (__builtin_sqrt(scale[k]) + v0);
+  for (int b = 0; b < Dim; ++b) {
+    double* const x = body.x[b].data() + p;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) x[k] += scale[k] * rates.fill_slope[b][k];
+    for (int a = 0; a < Dim; ++a) {
+      double* const v = body.v[a].data() + p;
+      const double* const affine = body.affine[a * Dim + b].data() + p;
+#pragma omp simd
+      for (int k = 0; k < count; ++k) v[k] += affine[k] * scale[k] * rates.fill_slope[b][k];
+    }
+  }
+}
+
+/// Largest speed and displacement seen, for the time step and the sort; speed2 is NaN once any speed was.
 struct Maxima {
   double speed2 = 0;
   double displacement = 0;
 };
 
-template <int Dim, class Basis, bool Blend>
-void move_particle(Body<Dim>& body, const GridLayout<Dim>& layout, const GatherOptions& options,
-                   const GatherSums<Dim>& s, bool shift, std::size_t p, Maxima& maxima) {
-  const double inertia_inverse = Basis::inertia_inverse * layout.inv_h * layout.inv_h;
-  double old_x[Dim];
+/// Keeps particles on the domain's side of walls that round-off carried them across (anything larger is reported by
+/// sort_particles) and collects maxima. `old_x` is the position before the step.
+template <int Dim>
+void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (&old_x)[Dim][chunk_size], std::size_t p,
+                  int count, Maxima& maxima) {
+  const double round_off = 1e-9 * layout.h;
+  alignas(64) double speed2[chunk_size] = {};
+  double displacement = maxima.displacement;
   for (int a = 0; a < Dim; ++a) {
-    double v = s.value[a];
-    if constexpr (Blend) v = options.keep * (body.v[a][p] + s.change[a]) + (1 - options.keep) * v;
-    body.v[a][p] = v * options.damping;
-    old_x[a] = body.x[a][p];
-    body.x[a][p] = old_x[a] + options.dt * s.value[a];
-    for (int b = 0; b < Dim; ++b) body.affine[a * Dim + b][p] = inertia_inverse * options.damping * s.moment[b][a];
+    double* const x = body.x[a].data() + p;
+    const double* const v = body.v[a].data() + p;
+    const double lower = layout.lower[a], upper = layout.upper[a];
+#pragma omp simd reduction(max : displacement)
+    for (int k = 0; k < count; ++k) {
+      double moved = x[k];
+      moved = moved < lower && moved > lower - round_off ? lower : moved;
+      moved = moved > upper && moved < upper + round_off ? upper : moved;
+      x[k] = moved;
+      const double distance = __builtin_fabs(moved - old_x[a][k]);
+      displacement = distance > displacement ? distance : displacement;
+      speed2[k] += v[k] * v[k];
+    }
   }
-  if (shift) shift_particle(body, p, s, layout.h, options.dt);
-  double speed2 = 0;
-  for (int a = 0; a < Dim; ++a) {
-    // Round-off alone can carry a particle across a wall; anything larger is reported by sort_particles.
-    const double round_off = 1e-9 * layout.h;
-    double& x = body.x[a][p];
-    if (x < layout.lower[a] && x > layout.lower[a] - round_off) x = layout.lower[a];
-    if (x > layout.upper[a] && x < layout.upper[a] + round_off) x = layout.upper[a];
-    speed2 += body.v[a][p] * body.v[a][p];
-    maxima.displacement = std::max(maxima.displacement, __builtin_fabs(x - old_x[a]));
+  maxima.displacement = displacement;
+  double largest = 0;
+  int broken = 0;
+#pragma omp simd reduction(max : largest) reduction(| : broken)
+  for (int k = 0; k < count; ++k) {
+    largest = speed2[k] > largest ? speed2[k] : largest;
+    broken |= speed2[k] != speed2[k];
   }
-  // Written so that NaN is kept: the time step then reports it.
-  maxima.speed2 = speed2 > maxima.speed2 || speed2 != speed2 ? speed2 : maxima.speed2;
+  if (broken)
+    maxima.speed2 = __builtin_nan("");
+  else if (!(maxima.speed2 > largest))
+    maxima.speed2 = maxima.speed2 != maxima.speed2 ? maxima.speed2 : largest;
 }
 
 template <int Dim, class R>
@@ -181,33 +240,44 @@ void update_chunk(Body<Dim>& body, const Law& law, const ChunkRates<Dim>& rates,
   for (; k < count; ++k) update_point<Dim, double>(body, law, rates, dt, p + k, k);
 }
 
+/// Volume rates of filled cells take the place of the particles' own.
+template <int Dim, class Basis>
+void take_cell_rates(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, double dt,
+                     int count, ChunkRates<Dim>& rates) {
+  if (body.pressure != PressureSupport::cell) return;
+  const int to_base = base_offset(grid.layout);
+  for (int k = 0; k < count; ++k) {
+    const int cell = weights.first[k] + to_base;
+    if (grid.cell_flags[cell] & cell_filled) rates.volume[k] = dt * grid.volume_rate[cell];
+  }
+}
+
 template <int Dim, class Basis, bool Blend, class Law>
 Maxima gather_range(Body<Dim>& body, const Law& law, const Grid<Dim>& grid, const GatherOptions& options,
                     std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
   ChunkRates<Dim> rates;
+  alignas(64) double old_x[Dim][chunk_size];
   Maxima maxima;
-  const bool use_cells = body.pressure == PressureSupport::cell;
+  const double inertia_inverse = options.damping * Basis::inertia_inverse * grid.layout.inv_h * grid.layout.inv_h;
   const int to_base = base_offset(grid.layout);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     std::array<const double*, Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
+    for (int a = 0; a < Dim; ++a) {
+      x[a] = body.x[a].data() + p;
+      std::copy_n(x[a], count, old_x[a]);
+    }
     compute_weights<Dim, Basis>(grid.layout, x, count, weights);
     for (int k = 0; k < count; ++k) {
-      const auto s = gather_sums<Dim, Basis, Blend>(grid, weights, k);
-      double trace = 0;
-      for (int a = 0; a < Dim; ++a) {
-        trace += s.gradient[a][a];
-        for (int b = 0; b < Dim; ++b) rates.increment[a * Dim + b][k] = options.dt * s.gradient[b][a];
-      }
-      const int cell = weights.first[k] + to_base;
-      const std::uint8_t flags = use_cells || body.shift ? grid.cell_flags[cell] : std::uint8_t{0};
-      const bool filled = use_cells && (flags & cell_filled);
-      rates.volume[k] = options.dt * (filled ? grid.volume_rate[cell] : trace);
-      move_particle<Dim, Basis, Blend>(body, grid.layout, options, s, body.shift && (flags & cell_shiftable), p + k,
-                                       maxima);
+      const bool shift = body.shift && (grid.cell_flags[weights.first[k] + to_base] & cell_shiftable);
+      store_sums<Dim, Blend>(body, gather_sums<Dim, Basis, Blend>(grid, weights, k), inertia_inverse, options.dt, shift,
+                             p + k, k, rates);
     }
+    take_cell_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
+    move_chunk<Dim, Blend>(body, options, rates, p, count);
+    if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
+    finish_chunk(body, grid.layout, old_x, p, count, maxima);
     update_chunk(body, law, rates, options.dt, p, count);
   }
   return maxima;

@@ -8,6 +8,16 @@
 namespace geodrop {
 namespace {
 
+/// Fewer particles than this are not worth waking threads for.
+constexpr std::ptrdiff_t particles_worth_threads = 2048;
+
+template <int Dim>
+std::ptrdiff_t particle_count(const State<Dim>& state) {
+  std::size_t n = 0;
+  for (const Body<Dim>& body : state.bodies) n += body.size();
+  return static_cast<std::ptrdiff_t>(n);
+}
+
 /// Slabs of one colour, ascending.
 template <int Dim>
 std::vector<int> slabs_of_colour(const GridLayout<Dim>& layout, int colour) {
@@ -23,10 +33,11 @@ std::vector<int> slabs_of_colour(const GridLayout<Dim>& layout, int colour) {
 /// order, so each node receives its contributions in the same order whatever the number of threads.
 template <int Dim, class F>
 void for_each_slab_by_colour(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
+  const bool threads = particle_count(state) >= particles_worth_threads;
   for (int colour = 0; colour < slab_colours<Dim>; ++colour) {
     const std::vector<int> slabs = slabs_of_colour(layout, colour);
     const auto n = static_cast<std::ptrdiff_t>(slabs.size());
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (threads)
     for (std::ptrdiff_t s = 0; s < n; ++s)
       for (const Body<Dim>& body : state.bodies) {
         const std::size_t begin = body.slab_begin[slabs[s]], end = body.slab_begin[slabs[s] + 1];
@@ -74,7 +85,7 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& g
   for (Body<Dim>& body : state.bodies) {
     const auto tasks = static_cast<std::ptrdiff_t>((body.size() + share - 1) / share);
     grid.chunk_maxima.assign(2 * tasks, 0.0);
-#pragma omp parallel for schedule(dynamic, 4)
+#pragma omp parallel for schedule(dynamic, 4) if (static_cast <std::ptrdiff_t>(body.size()) >= particles_worth_threads)
     for (std::ptrdiff_t task = 0; task < tasks; ++task) {
       const std::size_t begin = task * share, end = std::min(body.size(), begin + share);
       const Maxima maxima = gather<Dim>(body, grid, options, begin, end);

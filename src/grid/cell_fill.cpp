@@ -1,0 +1,127 @@
+// Which pressure cells are filled, and their pressure.
+#include "cell_pressure.hpp"
+
+#include "neighbourhood.hpp"
+
+namespace geodrop {
+namespace {
+
+template <int Dim>
+double cell_width_product(const Grid<Dim>& grid, const std::array<int, Dim>& cell) {
+  double product = 1;
+  for (int a = 0; a < Dim; ++a) product *= grid.integrals[a].width[cell[a]];
+  return product;
+}
+
+template <int Dim>
+double cell_measure(const GridLayout<Dim>& layout) {
+  return Dim == 2 ? layout.h * layout.h : layout.h * layout.h * layout.h;
+}
+
+/// Along a wall the neighbour beyond it is the mirror image.
+template <int Dim>
+int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {
+  int flat = 0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    int c = cell[axis] - GridLayout<Dim>::pad + a[axis] - 1;
+    if (c < 0) c = -c;
+    if (c > layout.cells[axis]) c = 2 * layout.cells[axis] - c;
+    flat += (c + GridLayout<Dim>::pad) * layout.stride[axis];
+  }
+  return flat;
+}
+
+/// cell_fill := V / V_c, not yet smoothed.
+template <int Dim>
+void raw_fill(const State<Dim>& state, Grid<Dim>& grid, Array<double>& fill) {
+  const double inv_measure = 1 / cell_measure(grid.layout);
+  for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> cell) {
+    for (int k = 0; k < count; ++k, ++cell[0])
+      fill[begin + k] = grid.cell_volume[begin + k] * inv_measure / cell_width_product<Dim>(grid, cell);
+  });
+}
+
+constexpr double binomial[3] = {0.25, 0.5, 0.25};
+
+template <int Dim>
+double smoothed_near_wall(const GridLayout<Dim>& layout, const Array<double>& fill, const std::array<int, Dim>& cell,
+                          int flat) {
+  double sum = 0;
+  for_neighbourhood(layout, flat, [&](int, const std::array<int, Dim>& a) {
+    double weight = 1;
+    for (int axis = 0; axis < Dim; ++axis) weight *= binomial[a[axis]];
+    sum += weight * fill[mirrored<Dim>(layout, cell, a)];
+  });
+  return sum;
+}
+
+/// Binomially smoothed fill ratio of cells along x.
+template <int Dim>
+std::array<double, GridLayout<Dim>::block_width[0]> smoothed_fill(const GridLayout<Dim>& layout,
+                                                                  const Array<double>& fill, int begin, int count,
+                                                                  std::array<int, Dim> cell) {
+  std::array<double, GridLayout<Dim>::block_width[0]> smooth{};
+  if (!far_from_walls<Dim>(layout, count, cell)) {
+    for (int k = 0; k < count; ++k, ++cell[0]) smooth[k] = smoothed_near_wall<Dim>(layout, fill, cell, begin + k);
+    return smooth;
+  }
+  for_rows_around<Dim>(layout, [&](int offset, int y, int z) {
+    const double weight = binomial[y] * (Dim == 3 ? binomial[z] : 1.0);
+    const double* const row = fill.data() + begin + offset;
+    for (int k = 0; k < count; ++k)
+      smooth[k] += weight * (binomial[0] * (row[k - 1] + row[k + 1]) + binomial[1] * row[k]);
+  });
+  return smooth;
+}
+
+/// Cells near a membrane do not shift: a shifted particle could slip through it.
+template <int Dim>
+void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
+  for (const Membrane<Dim>& membrane : state.membranes)
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      std::array<int, Dim> base;
+      for (int a = 0; a < Dim; ++a) base[a] = grid.layout.base(a, membrane.x[a][k]);
+      for_neighbourhood(grid.layout, grid.layout.index(base), [&](int other, const auto&) {
+        grid.cell_flags[other] &= static_cast<std::uint8_t>(~cell_shiftable);
+      });
+    }
+}
+
+/// A cell is shiftable where its whole neighbourhood is filled.
+template <int Dim>
+void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
+  for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> cell) {
+    const bool interior = far_from_walls<Dim>(grid.layout, count, cell);
+    for (int k = 0; k < count; ++k, ++cell[0]) {
+      bool full = true;
+      for_neighbourhood(grid.layout, begin + k, [&](int other, const std::array<int, Dim>& a) {
+        full = full && (grid.cell_flags[interior ? other : mirrored<Dim>(grid.layout, cell, a)] & cell_filled);
+      });
+      if (full) grid.cell_flags[begin + k] |= cell_shiftable;
+    }
+  });
+  block_shift_near_membranes(state, grid);
+}
+
+}  // namespace
+
+template <int Dim>
+void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift) {
+  Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
+  raw_fill(state, grid, fill);
+  for_each_active_real_row(state, grid.layout, [&](int begin, int count, const std::array<int, Dim>& cell) {
+    const auto smooth = smoothed_fill<Dim>(grid.layout, fill, begin, count, cell);
+    for (int k = 0; k < count; ++k) {
+      const int flat = begin + k;
+      const bool filled = smooth[k] >= filled_ratio && grid.cell_volume[flat] > 0;
+      grid.cell_flags[flat] = filled ? cell_filled : 0;
+      grid.cell_pressure[flat] = filled ? grid.cell_pressure[flat] / grid.cell_volume[flat] : 0.0;
+    }
+  });
+  if (shift) mark_shiftable(state, grid);
+}
+
+template void average_cell_pressure<2>(const State<2>&, Grid<2>&, bool);
+template void average_cell_pressure<3>(const State<3>&, Grid<3>&, bool);
+
+}  // namespace geodrop

@@ -1,0 +1,44 @@
+// Loops over the neighbours of a node or cell.
+#pragma once
+
+#include "blocks.hpp"
+
+namespace geodrop {
+
+/// Calls f(flat neighbour, offsets a in {0,1,2}^Dim) for the 3^Dim neighbourhood.
+template <int Dim, class F>
+void for_neighbourhood(const GridLayout<Dim>& layout, int flat, F&& f) {
+  std::array<int, Dim> a{};
+  for (int z = 0; z < (Dim == 3 ? 3 : 1); ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        a[0] = x;
+        a[1] = y;
+        int other = flat + (x - 1) + (y - 1) * layout.stride[1];
+        if constexpr (Dim == 3) {
+          a[2] = z;
+          other += (z - 1) * layout.stride[2];
+        }
+        f(other, a);
+      }
+}
+
+/// Calls f(offset of the row, y, z) for the rows along x around a node or cell; y, z in {0, 1, 2} (2D: z = 1 only).
+template <int Dim, class F>
+void for_rows_around(const GridLayout<Dim>& layout, F&& f) {
+  for (int z = Dim == 3 ? 0 : 1; z < (Dim == 3 ? 3 : 2); ++z)
+    for (int y = 0; y < 3; ++y) f((y - 1) * layout.stride[1] + (Dim == 3 ? (z - 1) * layout.stride[Dim - 1] : 0), y, z);
+}
+
+/// True if neither the nodes nor the cells around them touch a wall cell: all integrals are then the interior ones.
+template <int Dim>
+bool far_from_walls(const GridLayout<Dim>& layout, int count, const std::array<int, Dim>& node) {
+  constexpr int margin = GridLayout<Dim>::pad + 2;
+  for (int a = 0; a < Dim; ++a) {
+    const int last = node[a] + (a == 0 ? count - 1 : 0);
+    if (node[a] < margin || last > layout.cells[a] + 2 * GridLayout<Dim>::pad - margin) return false;
+  }
+  return true;
+}
+
+}  // namespace geodrop
