@@ -1,4 +1,5 @@
 #include "bind_scene.hpp"
+#include "check_value.hpp"
 #include "key_table.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ class Fields {
   Fields(const toml::table* table, std::string_view section)
       : table_(table ? *table : toml::table{}), section_(section) {}
 
-  double real(std::string_view name) const { return table_[name].value_or(0.0); }
+  double real(std::string_view name) const { return has(name) ? to_number(*table_.get(name)) : 0.0; }
   int integer(std::string_view name) const { return static_cast<int>(table_[name].value_or(std::int64_t{0})); }
   std::uint64_t count(std::string_view name) const {
     return static_cast<std::uint64_t>(table_[name].value_or(std::int64_t{0}));
@@ -51,7 +52,7 @@ class Fields {
  private:
   static std::vector<double> numbers(const toml::array* list) {
     std::vector<double> values;
-    for (std::size_t i = 0; list && i < list->size(); ++i) values.push_back(list->get(i)->value_or(0.0));
+    for (std::size_t i = 0; list && i < list->size(); ++i) values.push_back(to_number(*list->get(i)));
     return values;
   }
   template <class Visit>

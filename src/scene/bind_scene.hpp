@@ -2,10 +2,9 @@
 #pragma once
 
 #include "report.hpp"
+#include "toml.hpp"
 
 #include <geodrop/scene.hpp>
-
-#include <toml++/toml.h>
 
 namespace geodrop {
 

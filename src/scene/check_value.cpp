@@ -32,7 +32,7 @@ ValueCheck wrong_type(const toml::node& node) { return {false, to_text(node) + t
 
 ValueCheck check_number(const Key& key, const toml::node& node) {
   if (!node.is_number() || (key.kind == Kind::integer && !node.is_integer())) return wrong_type(node);
-  const double value = *node.value<double>();
+  const double value = to_number(node);
   const bool finite = std::isfinite(value) || (key.allowed.infinite && !std::isnan(value));
   return {finite && key.allowed.holds(value), to_text(node)};
 }
@@ -121,6 +121,12 @@ std::string kind_text(const Key& key, int dimension) {
 }
 
 }  // namespace
+
+double to_number(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  const auto* real = node.as_floating_point();
+  return real ? real->get() : 0.0;
+}
 
 bool is_identifier(std::string_view word) {
   const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "key_table.hpp"
-
-#include <toml++/toml.h>
+#include "toml.hpp"
 
 #include <string>
 #include <string_view>
@@ -12,6 +11,9 @@ namespace geodrop {
 
 inline constexpr std::string_view kIdentifierText = "letters, digits and '_', beginning with a letter";
 bool is_identifier(std::string_view word);
+
+/// A whole number counts too, rounded if it is beyond 2^53 (toml++ gives nothing then); 0 if the node is no number.
+double to_number(const toml::node& node);
 
 struct ValueCheck {
   bool ok = true;

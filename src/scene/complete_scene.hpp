@@ -2,8 +2,7 @@
 #pragma once
 
 #include "report.hpp"
-
-#include <toml++/toml.h>
+#include "toml.hpp"
 
 namespace geodrop {
 

@@ -1,9 +1,9 @@
 // What reading a scene finds out beside its values: where each key stands, and what is wrong.
 #pragma once
 
-#include <geodrop/error.hpp>
+#include "toml.hpp"
 
-#include <toml++/toml.h>
+#include <geodrop/error.hpp>
 
 #include <map>
 #include <string>

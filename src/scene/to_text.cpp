@@ -39,7 +39,7 @@ std::string to_text(const Point& point) {
 
 std::string to_text(const toml::node& node) {
   if (node.is_table()) return "a table";
-  if (node.is_floating_point()) return to_text(node.value_or(0.0));
+  if (node.is_floating_point()) return to_text(node.as_floating_point()->get());
   std::string text;
   if (const toml::array* list = node.as_array()) {
     for (const toml::node& element : *list) text += (text.empty() ? "" : ", ") + to_text(element);

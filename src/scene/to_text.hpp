@@ -1,9 +1,9 @@
 // Values as text, for messages and for the scene as run.
 #pragma once
 
-#include <geodrop/scene.hpp>
+#include "toml.hpp"
 
-#include <toml++/toml.h>
+#include <geodrop/scene.hpp>
 
 #include <string>
 

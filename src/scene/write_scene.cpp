@@ -1,4 +1,5 @@
 #include "write_scene.hpp"
+#include "check_value.hpp"
 #include "key_table.hpp"
 #include "to_text.hpp"
 
@@ -20,7 +21,7 @@ std::string value_text(const Key& key, const toml::node& node) {
       key.kind == Kind::real || key.kind == Kind::reals || key.kind == Kind::point || key.kind == Kind::points;
   if (const toml::table* table = node.as_table()) return inline_table(*table, join_path(key.section, key.name));
   const toml::array* list = node.as_array();
-  if (!list) return as_real ? real_text(node.value_or(0.0)) : to_text(node);
+  if (!list) return as_real ? real_text(to_number(node)) : to_text(node);
   std::string text = "[";
   for (const toml::node& element : *list) text += (text.size() > 1 ? ", " : "") + value_text(key, element);
   return text + "]";

@@ -1,7 +1,7 @@
 // Writes a complete scene as TOML, in the order of the table of keys.
 #pragma once
 
-#include <toml++/toml.h>
+#include "toml.hpp"
 
 #include <string>
 

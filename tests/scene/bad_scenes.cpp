@@ -78,6 +78,8 @@ TEST_CASE("a file that is not there, a directory, an empty file, a file that is 
   CHECK(scene_error(path("none.toml")) == path("none.toml") + ": found no readable file; allowed: a scene in TOML");
   CHECK(scene_error(directory / "") == path("") + ": found no readable file; allowed: a scene in TOML");
   CHECK(scene_error_of_text("").find(":1:1: bodies: found nothing: the key is missing") != std::string::npos);
+  CHECK(scene_error_of_text("[;bodies]]").find(":1:2: syntax: found") != std::string::npos);
+  CHECK(scene_error_of_text("[[[bodies]]").find("syntax: found") != std::string::npos);
   CHECK(scene_error_of_text("\xff\xfe\x01").find("syntax: found") != std::string::npos);
 }
 

@@ -1,9 +1,9 @@
 // Every row of the table of keys, against a scene in which every row occurs: each key is broken in turn.
 #include "scene/key_table.hpp"
+#include "scene/toml.hpp"
 #include "support/scene_files.hpp"
 
 #include <doctest/doctest.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>

@@ -31,6 +31,9 @@ TEST_CASE("values by key, by name and by index") {
 
 TEST_CASE("the last of several wins; an empty value removes; a table can be made") {
   CHECK(read_scene(every_key, {"time.end=3", "time.end=4"}).time.end == 4);
+  CHECK(read_scene(every_key,
+                   {"materials.sand.density=9007199254740993", "materials.sand.youngs_modulus=9007199254740993"})
+            .materials.size() == 5);  // 2^53 + 1: no double, yet a number
   CHECK(read_scene(every_key, {"solver.transfer=apic", "solver.blend_rate="}).solver.transfer == Transfer::apic);
   const Scene moving =
       read_scene(every_key, {"bodies.bag.initial_velocity.type=uniform", "bodies.bag.initial_velocity.value=[0, -2]"});
