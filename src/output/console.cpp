@@ -60,6 +60,10 @@ void Console::clear_progress() {
   progress_shown_ = false;
 }
 
+double seconds_left(double elapsed, double part) {
+  return part > 0 ? std::max(0.0, elapsed * (1 - part) / part) : std::nan("");
+}
+
 void Progress::begin(double t, std::uint64_t step) {
   t_begin_ = t;
   step_begin_ = step;
@@ -77,7 +81,7 @@ bool Progress::due() {
 std::string Progress::line(double t, std::uint64_t step) const {
   const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
   const double part = (t - t_begin_) / (t_end_ - t_begin_);
-  const double left = part > 0 ? std::max(0.0, elapsed * (1 - part) / part) : std::nan("");
+  const double left = seconds_left(elapsed, part);
   const double particle_steps = static_cast<double>(step - step_begin_) * static_cast<double>(particles_);
   std::array<char, 160> text;
   std::snprintf(text.data(), text.size(), "%5.1f %%  t %.4g of %.4g s  step %llu  %.1f M particles/s",

@@ -32,6 +32,9 @@ class Console {
   bool progress_shown_ = false;
 };
 
+/// Wall time that is left [s] if `part` of the run took `elapsed`; NaN if nothing is done yet.
+double seconds_left(double elapsed, double part);
+
 /// How far a run is, how fast, and when it will end.
 class Progress {
  public:

@@ -191,6 +191,7 @@ TEST_CASE("an earlier run is replaced, anything else is not touched") {
   }
   std::filesystem::create_directory(directory / "thesis");
   std::ofstream(directory / "thesis/scene.toml") << "chapter one";
+  std::ofstream(directory / "thesis/run.log") << "log of another program";
   CHECK_THROWS_AS(Output<2>(scene, options_for(directory / "thesis")), SceneError);
   CHECK(read_file(directory / "thesis/scene.toml") == "chapter one");
   CHECK_THROWS_AS(Output<2>(scene, options_for(directory / "thesis/scene.toml")), SceneError);
@@ -237,6 +238,8 @@ TEST_CASE("durations and the progress line") {
   CHECK(format_duration(34.4) == "0:34");
   CHECK(format_duration(3 * 3600 + 125) == "3:02:05");
   CHECK(format_duration(0.0 / 0.0) == "-");
+  CHECK(seconds_left(30, 0.25) == 90);
+  CHECK(seconds_left(30, 1.01) == 0);
   Progress progress(4.0, 1000);
   progress.begin(0, 0);
   CHECK(contains(progress.line(0, 0), "  0.0 %  t 0 of 4 s  step 0"));

@@ -90,6 +90,11 @@ TEST_CASE("period of a sine, with an offset and with damping") {
   CHECK(reduce(spec, table_of({[&](double t) { return std::exp(-t) * sine(t); }}, 0.01, 400)) ==
         doctest::Approx(period).epsilon(1e-4));
   CHECK(std::isnan(reduce(spec, table_of({sine}, 0.01, 60))));  // less than one period
+  // One rising crossing between two falling ones, and the other way round.
+  const auto short_sine = [&](double t) { return std::sin(2 * pi * t / period + 3); };
+  CHECK(reduce(spec, table_of({short_sine}, 0.01, 75)) == doctest::Approx(period).epsilon(1e-4));
+  CHECK(reduce(spec, table_of({[&](double t) { return -short_sine(t); }}, 0.01, 75)) ==
+        doctest::Approx(period).epsilon(1e-4));
 }
 
 TEST_CASE("first time below a level") {

@@ -95,12 +95,13 @@ TEST_CASE("particles come back with all fields, components, time") {
   CHECK(grid->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 0.625);
 }
 
-TEST_CASE("particles keep their layer when they were sorted") {
+TEST_CASE("particles keep their layer and their start when they were sorted") {
   State<2> state = small_state();
   state.bodies[1].id = {3, 0, 1, 2};
   const ParticleSnapshot particles = take_snapshot(state, materials).particles;
   CHECK(particles.layer == std::vector<std::uint8_t>{0, 0, 1, 1, 1, 0, 0, 1});
   CHECK(particles.id[4] == 3);
+  CHECK(particles.fields[1].values[3 * 4] == -1);  // from (4.5, 4.5), where particle 3 was, to (3.5, 3.5)
 }
 
 TEST_CASE("the six components of three dimensions are in VTK's order") {
