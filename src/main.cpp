@@ -1,11 +1,12 @@
 // The command line: parses, calls, and turns every way of failing into a message and an exit code.
+#include <geodrop/bench.hpp>
 #include <geodrop/error.hpp>
 #include <geodrop/run.hpp>
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
-#include <CLI/CLI.hpp>
 #include <omp.h>
+#include <CLI/CLI.hpp>
 
 #include <unistd.h>
 
@@ -27,11 +28,15 @@ struct Arguments {
   double until = 0;
   bool resume = false;
   bool verify = false;
+  bool quick = false;
+  std::string only;
 };
 
 void add_scene(CLI::App& command, Arguments& arguments) {
   command.add_option("scene", arguments.scene, "scene file (TOML, see docs/scene.md)")->required();
-  command.add_option("--set", arguments.overrides, "override a key of the scene, e.g. --set grid.spacing=0.125")->take_all()->expected(1);
+  command.add_option("--set", arguments.overrides, "override a key of the scene, e.g. --set grid.spacing=0.125")
+      ->take_all()
+      ->expected(1);
 }
 
 /// libgomp reads how long a waiting thread spins before the program can say so; hence one restart with the answer.
@@ -47,7 +52,8 @@ void restart_with_patient_threads(char** argv) {
 int choose_threads(int asked) {
   const int cores = omp_get_num_procs();
   if (asked == 0) return cores;
-  if (asked > cores) std::cerr << "geodrop: warning: " << asked << " threads on " << cores << " cores: slower, same result\n";
+  if (asked > cores)
+    std::cerr << "geodrop: warning: " << asked << " threads on " << cores << " cores: slower, same result\n";
   return asked;
 }
 
@@ -63,7 +69,8 @@ int run(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
-  std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, " << scene.membranes.size() << " membranes\n";
+  std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
+            << scene.membranes.size() << " membranes\n";
   return 0;
 }
 
@@ -73,12 +80,20 @@ int stages(const Arguments& arguments) {
 }
 
 int info(const Arguments& arguments) {
-  std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs() << " cores, kernels for "
+  std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs()
+            << " cores, kernels for "
             << (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "x86-64-v3" : "x86-64-v2") << '\n';
   if (arguments.scene.empty()) return 0;
   for (const geodrop::Fact& fact : geodrop::scene_facts(geodrop::read_scene(arguments.scene, arguments.overrides)))
     std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);
   return 0;
+}
+
+int bench(const Arguments& arguments) {
+  const int threads = choose_threads(arguments.threads);
+  omp_set_num_threads(threads);
+  return geodrop::run_bench(
+      {arguments.output.empty() ? "runs/bench" : arguments.output, threads, arguments.quick, arguments.only});
 }
 
 }  // namespace
@@ -92,9 +107,11 @@ int main(int argc, char** argv) {
 
   auto* run_command = app.add_subcommand("run", "run a scene; writes a run directory");
   add_scene(*run_command, arguments);
-  run_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")->check(CLI::PositiveNumber);
+  run_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
+      ->check(CLI::PositiveNumber);
   run_command->add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
-  run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")->check(CLI::PositiveNumber);
+  run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
+      ->check(CLI::PositiveNumber);
   run_command->add_flag("--resume", arguments.resume, "go on from the checkpoint in the run directory");
   run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
   auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
@@ -105,11 +122,19 @@ int main(int argc, char** argv) {
   info_command->add_option("scene", arguments.scene, "scene file");
   info_command->add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
 
+  auto* bench_command = app.add_subcommand("bench", "measure million particle-steps per second; writes bench.csv");
+  bench_command->add_flag("--quick", arguments.quick, "1e5 instead of 1e6 particles");
+  bench_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
+      ->check(CLI::PositiveNumber);
+  bench_command->add_option("--output", arguments.output, "directory for bench.csv (default: runs/bench)");
+  bench_command->add_option("--only", arguments.only, "only benchmarks whose name contains this");
+
   try {
     app.parse(argc, argv);
     if (*run_command) return run(arguments);
     if (*check_command) return check(arguments);
     if (*stages_command) return stages(arguments);
+    if (*bench_command) return bench(arguments);
     return info(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;

@@ -17,19 +17,36 @@ struct ChunkStress {
   alignas(64) double volume[chunk_size];  ///< [m3]
 };
 
+/// Components that act on the grid: in plane strain ZZ does not.
+template <int Dim>
+inline constexpr std::array<int, stress_components<Dim> - (Dim == 2)> acting_components = [] {
+  if constexpr (Dim == 2)
+    return std::array<int, 3>{0, 1, 3};
+  else
+    return std::array<int, 6>{0, 1, 2, 3, 4, 5};
+}();
+
 template <int Dim>
 void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t begin, int count, const double* own,
                     ChunkStress<Dim>& out) {
   const double* const mass = body.mass.data() + begin;
   const double* const J = body.J.data() + begin;
   const double inv_rho = 1 / water.density, K = water.bulk_modulus;
-  for (int k = 0; k < count; ++k) out.volume[k] = mass[k] * inv_rho * J[k];
-  for (int c = 0; c < stress_components<Dim>; ++c) {
-    const double* const viscous = water.viscosity > 0 ? body.stress[c].data() + begin : nullptr;
-    for (int k = 0; k < count; ++k) {
-      const double pressure = c < 3 ? own[k] * K * (1 / J[k] - 1) : 0.0;
-      out.s[c][k] = -out.volume[k] * ((viscous ? viscous[k] : 0.0) - pressure);
-    }
+  alignas(64) double pressure_force[chunk_size];  // V p
+#pragma omp simd
+  for (int k = 0; k < count; ++k) {
+    out.volume[k] = mass[k] * inv_rho * J[k];
+    pressure_force[k] = own[k] * K * mass[k] * inv_rho * (1 - J[k]);
+  }
+  for (const int c : acting_components<Dim>) {
+    if (c < 3)
+      std::copy_n(pressure_force, count, out.s[c]);
+    else
+      std::fill_n(out.s[c], count, 0.0);
+    if (water.viscosity <= 0) continue;
+    const double* const viscous = body.stress[c].data() + begin;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) out.s[c][k] -= out.volume[k] * viscous[k];
   }
 }
 
@@ -38,17 +55,27 @@ template <int Dim>
 void carried_solid_stress(const Body<Dim>& body, double density, std::size_t begin, int count, const double* own,
                           ChunkStress<Dim>& out) {
   alignas(64) double removed[chunk_size];
-  const double* const pore = body.pore_pressure.empty() ? nullptr : body.pore_pressure.data() + begin;
+  const double* const mass = body.mass.data() + begin;
+  const double* const J = body.J.data() + begin;
+  const double* const xx = body.stress[0].data() + begin;
+  const double* const yy = body.stress[1].data() + begin;
+  const double* const zz = body.stress[2].data() + begin;
+  const double inv_rho = 1 / density;
+#pragma omp simd
   for (int k = 0; k < count; ++k) {
-    const std::size_t p = begin + k;
-    const double mean = (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
-    const double u = pore ? pore[k] : 0.0;
-    out.volume[k] = body.mass[p] * body.J[p] / density;
-    removed[k] = own[k] * u + (1 - own[k]) * mean;
+    out.volume[k] = mass[k] * inv_rho * J[k];
+    removed[k] = (1 - own[k]) * (xx[k] + yy[k] + zz[k]) / 3;
   }
-  for (int c = 0; c < stress_components<Dim>; ++c) {
+  if (!body.pore_pressure.empty()) {
+    const double* const pore = body.pore_pressure.data() + begin;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) removed[k] += own[k] * pore[k];
+  }
+  for (const int c : acting_components<Dim>) {
     const double* const sigma = body.stress[c].data() + begin;
-    for (int k = 0; k < count; ++k) out.s[c][k] = -out.volume[k] * (sigma[k] - (c < 3 ? removed[k] : 0.0));
+    const double normal = c < 3 ? 1.0 : 0.0;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) out.s[c][k] = -out.volume[k] * (sigma[k] - normal * removed[k]);
   }
 }
 
@@ -168,8 +195,8 @@ void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, doubl
     own_pressure<Dim, Basis>(body, grid, weights, count, own);
     carried_stress(body, law, p, count, own, stress);
     if constexpr (!Separate)
-      for (auto& component : stress.s)
-        for (int k = 0; k < count; ++k) component[k] *= dt;
+      for (const int c : acting_components<Dim>)
+        for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
     for (int k = 0; k < count; ++k) {
       const auto record = make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h);
       scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
