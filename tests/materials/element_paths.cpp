@@ -144,6 +144,23 @@ TEST_CASE("A stress is carried round by a rigid spin of 360 degrees in 1000 step
   CHECK(spin_error<3>(turn) < 2 * 2.1e-5);
 }
 
+TEST_CASE("An eighth of an anticlockwise turn takes uniaxial stress along x to the diagonal") {
+  const LinearElastic law{1000, 1e6, 5e5};
+  const double spin = 2 * std::tan(std::numbers::pi / 4 / 125 / 2);
+  Stress<2, double> plane{1000, 0, 0, 0};
+  Stress<3, double> about_z{1000, 0, 0, 0, 0, 0}, about_x{0, 1000, 0, 0, 0, 0}, about_y{0, 0, 1000, 0, 0, 0};
+  for (int step = 0; step < 125; ++step) {
+    update_stress<2, double>(law, {0, -spin, spin, 0}, 0.0, plane);
+    update_stress<3, double>(law, {0, -spin, 0, spin, 0, 0, 0, 0, 0}, 0.0, about_z);
+    update_stress<3, double>(law, {0, 0, 0, 0, 0, -spin, 0, spin, 0}, 0.0, about_x);
+    update_stress<3, double>(law, {0, 0, spin, 0, 0, 0, -spin, 0, 0}, 0.0, about_y);
+  }
+  CHECK(largest_difference(plane, {500, 500, 0, 500}) < 1e-9);
+  CHECK(largest_difference(about_z, {500, 500, 0, 500, 0, 0}) < 1e-9);
+  CHECK(largest_difference(about_x, {0, 500, 500, 0, 500, 0}) < 1e-9);
+  CHECK(largest_difference(about_y, {500, 0, 500, 0, 0, 500}) < 1e-9);
+}
+
 TEST_CASE("The given volume change replaces the trace, and the deviator is kept") {
   const LinearElastic law{1000, 2e6, 1e6};
   Stress<2, double> plane{};
