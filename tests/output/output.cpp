@@ -242,12 +242,13 @@ TEST_CASE("durations and the progress line") {
   CHECK(seconds_left(30, 1.01) == 0);
   Progress progress(4.0, 1000);
   progress.begin(0, 0);
-  CHECK(contains(progress.line(0, 0), "  0.0 %  t 0 of 4 s  step 0"));
+  CHECK(contains(progress.line(0, 0), "  0.0 %  t 0/4 s  step 0"));
   CHECK(contains(progress.line(0, 0), "ETA -"));
   usleep(50000);
   const std::string line = progress.line(4, 100);
-  CHECK(contains(line, "100.0 %  t 4 of 4 s  step 100"));
-  CHECK(contains(line, "ETA 0:00  finish "));
+  CHECK(contains(line, "100.0 %  t 4/4 s  step 100"));
+  CHECK(line.size() < 80);
+  CHECK(contains(line, "ETA 0:00 at "));
 }
 
 TEST_CASE("the first signal asks to stop, the second ends the program") {
