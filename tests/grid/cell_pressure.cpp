@@ -1,0 +1,148 @@
+// Cell pressure and volume rate: an adjoint pair; a uniform pressure pushes nothing; a linear field has its divergence.
+#include "grid/cell_pressure.hpp"
+
+#include <doctest/doctest.h>
+
+#include "grid/blocks.hpp"
+#include "support/random_particles.hpp"
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+/// A small box in which every cell touches a wall or its neighbour does, or a larger one with an interior.
+template <int Dim>
+struct Box {
+  Grid<Dim> grid;
+  State<Dim> state;
+
+  Box(int cells, WallKind wall) : grid(make_grid<Dim>(box_scene<Dim>(cells, 0.25, wall))) {
+    activate_all_blocks(state, grid.layout);
+  }
+
+  /// Cell pressure's force on all nodes [N].
+  std::vector<Vec4> forces() const {
+    std::vector<Vec4> out(grid.layout.nodes(), Vec4{});
+    for (const std::uint32_t block : state.active_blocks)
+      for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>& node) {
+        const RowForce<Dim> row = cell_pressure_force<Dim>(grid, begin, count, node);
+        for (int k = 0; k < count; ++k)
+          for (int a = 0; a < Dim; ++a) out[begin + k][a] = row[a][k];
+      });
+    return out;
+  }
+
+  bool on_wall(const std::array<int, Dim>& i, int axis) const {
+    return i[axis] == 0 || i[axis] == grid.layout.cells[axis];
+  }
+};
+
+/// sum f . v = sum P V D for random pressures and velocities that the walls allow; returned relative to sum |f . v|.
+template <int Dim>
+double adjoint_error(int cells, WallKind wall, unsigned seed) {
+  Box<Dim> box(cells, wall);
+  Random random(seed);
+  Grid<Dim>& grid = box.grid;
+  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    const bool filled = random.uniform(0, 1) < 0.8;
+    grid.cell_flags[flat] = filled ? cell_filled : 0;
+    grid.cell_pressure[flat] = filled ? random.uniform(-1e3, 1e4) : 0;
+    grid.cell_volume[flat] = random.uniform(0.001, 0.1);
+    bool stuck = false;
+    for (int a = 0; a < Dim; ++a) stuck = stuck || (box.on_wall(i, a) && wall == WallKind::no_slip);
+    for (int a = 0; a < Dim; ++a) grid.velocity[flat][a] = stuck || box.on_wall(i, a) ? 0 : random.uniform(-1, 1);
+  });
+  const auto force = box.forces();
+  cell_volume_rate(box.state, grid);
+  double power = 0, size = 0, stored = 0;
+  for_each_node(grid.layout, 0, [&](int flat, const auto&) {
+    for (int a = 0; a < Dim; ++a) {
+      power += force[flat][a] * grid.velocity[flat][a];
+      size += std::abs(force[flat][a] * grid.velocity[flat][a]);
+    }
+    stored += grid.cell_pressure[flat] * grid.cell_volume[flat] * grid.volume_rate[flat];
+  });
+  REQUIRE(size > 0);
+  return std::abs(power - stored) / size;
+}
+
+}  // namespace
+
+TEST_CASE("The power of the cell pressure is the volume rate that the pressure sees") {
+  for (const WallKind wall : {WallKind::slip, WallKind::no_slip})
+    for (const int cells : {3, 4, 7, 40}) {
+      CAPTURE(cells);
+      CHECK(adjoint_error<2>(cells, wall, 3) < 1e-13);
+    }
+  for (const WallKind wall : {WallKind::slip, WallKind::no_slip})
+    for (const int cells : {3, 9}) {
+      CAPTURE(cells);
+      CHECK(adjoint_error<3>(cells, wall, 4) < 1e-13);
+    }
+}
+
+TEST_CASE_TEMPLATE("A uniform pressure between slip walls pushes no node that can move", Size,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+  constexpr int Dim = Size::value;
+  Box<Dim> box(9, WallKind::slip);
+  for_each_node(box.grid.layout, 0, [&](int flat, const auto&) { box.grid.cell_pressure[flat] = 1e5; });
+  const auto force = box.forces();
+  double largest = 0;
+  for_each_node(box.grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    for (int a = 0; a < Dim; ++a)
+      if (!box.on_wall(i, a)) largest = std::max(largest, std::abs(force[flat][a]));
+  });
+  CHECK(largest < 1e-15 * 1e5);
+}
+
+TEST_CASE("A pressure that grows linearly pushes each interior node by -grad p times its volume") {
+  Box<2> box(20, WallKind::slip);
+  const double h = box.grid.layout.h, slope[2] = {300, -700};
+  for_each_node(box.grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
+    box.grid.cell_pressure[flat] = h * (slope[0] * i[0] + slope[1] * i[1]);
+  });
+  const auto force = box.forces();
+  const int node = box.grid.layout.index({9, 11}), beside_wall = box.grid.layout.index({9, 2});
+  for (int a = 0; a < 2; ++a) {
+    CHECK(force[node][a] == doctest::Approx(-slope[a] * h * h).epsilon(1e-11));
+    CHECK(force[beside_wall][a] == doctest::Approx(-slope[a] * h * h).epsilon(1e-11));
+  }
+}
+
+TEST_CASE_TEMPLATE("A velocity linear in space has its divergence in every full cell, also at the walls it respects",
+                   Size, std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+  constexpr int Dim = Size::value;
+  Box<Dim> box(9, WallKind::slip);
+  Grid<Dim>& grid = box.grid;
+  const double rate[3] = {2.0, -0.5, 0.75};
+  double trace = 0;
+  for (int a = 0; a < Dim; ++a) trace += rate[a];
+  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    grid.cell_flags[flat] = cell_filled;
+    double volume = std::pow(grid.layout.h, Dim);
+    for (int a = 0; a < Dim; ++a) {
+      grid.velocity[flat][a] = rate[a] * i[a] * grid.layout.h;  // zero on the lower walls only
+      if (box.on_wall(i, a)) volume *= 0.5;
+    }
+    grid.cell_volume[flat] = volume;
+  });
+  cell_volume_rate(box.state, grid);
+  double largest = 0;
+  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    const bool below_upper = *std::max_element(i.begin(), i.end()) < 8;  // the upper walls do not move with the field
+    if (below_upper) largest = std::max(largest, std::abs(grid.volume_rate[flat] - trace));
+  });
+  CHECK(largest < 1e-13);
+}
+
+TEST_CASE("A cell that is not filled has no volume rate") {
+  Box<2> box(6, WallKind::slip);
+  for_each_node(box.grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
+    box.grid.velocity[flat][0] = i[0];
+    box.grid.cell_volume[flat] = 0.01;
+    box.grid.cell_flags[flat] = cell_shiftable;
+  });
+  cell_volume_rate(box.state, box.grid);
+  for (const double rate : box.grid.volume_rate) CHECK(rate == 0);
+}

@@ -1,0 +1,144 @@
+// Momentum on the nodes: kept to round-off with light nodes too; gravity; walls.
+#include "grid/momentum.hpp"
+
+#include <doctest/doctest.h>
+
+#include "support/random_particles.hpp"
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+constexpr double dt = 0.01;
+
+/// Random mass, momentum and force on the nodes `margin` and more away from the walls; every third one light.
+template <int Dim>
+struct Nodes {
+  Grid<Dim> grid;
+  State<Dim> state;
+  std::array<double, Dim> gravity{};
+
+  Nodes(int cells, int margin, WallKind wall, Transfer transfer)
+      : grid(make_grid<Dim>(box_scene<Dim>(cells, 0.5, wall, transfer))) {
+    activate_all_blocks(state, grid.layout);
+    Random random;
+    for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+      for (int a = 0; a < Dim; ++a)
+        if (i[a] < margin || i[a] > cells - margin) return;
+      const double mass =
+          grid.light_mass * (random.uniform(0, 1) < 0.33 ? random.uniform(1e-9, 1) : random.uniform(1, 60));
+      grid.sum[flat][3] = mass;
+      for (int a = 0; a < Dim; ++a) {
+        grid.sum[flat][a] = mass * random.uniform(-2, 2);
+        if (!grid.force.empty()) grid.force[flat][a] = random.uniform(-50, 50);
+      }
+      if (random.uniform(0, 1) < 0.7) grid.cell_pressure[flat] = random.uniform(0, 300);
+    });
+  }
+  void update() { update_momentum<Dim>(state, grid, gravity, dt); }
+};
+
+/// |sum m v' - sum (m v + dt f)| / sum m |v'|; cell pressures away from the walls push with no resultant.
+template <int Dim>
+double momentum_error(Transfer transfer) {
+  Nodes<Dim> nodes(12, 4, WallKind::slip, transfer);
+  // Cells of the outermost nodes would push on nodes without mass.
+  for_each_node(nodes.grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    for (int a = 0; a < Dim; ++a)
+      if (i[a] <= 4 || i[a] >= 8) nodes.grid.cell_pressure[flat] = 0;
+  });
+  nodes.update();
+  double worst = 0, size = 0;
+  for (int a = 0; a < Dim; ++a) {
+    double before = 0, after = 0;
+    for_each_node(nodes.grid.layout, 0, [&](int flat, const auto&) {
+      before += nodes.grid.sum[flat][a] + (nodes.grid.force.empty() ? 0.0 : dt * nodes.grid.force[flat][a]);
+      after += nodes.grid.sum[flat][3] * nodes.grid.velocity[flat][a];
+      size += std::abs(nodes.grid.sum[flat][3] * nodes.grid.velocity[flat][a]);
+    });
+    worst = std::max(worst, std::abs(after - before));
+  }
+  return worst / size;
+}
+
+}  // namespace
+
+TEST_CASE("Momentum is kept to round-off, light nodes and cell pressure included") {
+  CHECK(momentum_error<2>(Transfer::apic) < 1e-13);
+  CHECK(momentum_error<2>(Transfer::blend) < 1e-13);
+  CHECK(momentum_error<3>(Transfer::apic) < 1e-13);
+  CHECK(momentum_error<3>(Transfer::blend) < 1e-13);
+}
+
+TEST_CASE("A heavy node takes v + dt (f / m + g), and the change is what was added") {
+  Nodes<2> nodes(12, 4, WallKind::slip, Transfer::blend);
+  Grid<2>& grid = nodes.grid;
+  std::fill(grid.cell_pressure.begin(), grid.cell_pressure.end(), 0.0);
+  std::fill(grid.sum.begin(), grid.sum.end(), Vec4{});
+  const int node = grid.layout.index({6, 6});
+  grid.sum[node] = Vec4{300, -600, 0, 200};
+  std::fill(grid.force.begin(), grid.force.end(), Vec4{});
+  grid.force[node] = Vec4{4e3, 1e3, 0, 0};
+  nodes.gravity = {1, -10};
+  nodes.update();
+  CHECK(grid.velocity[node][0] == doctest::Approx(1.5 + dt * (20 + 1)).epsilon(1e-14));
+  CHECK(grid.velocity[node][1] == doctest::Approx(-3 + dt * (5 - 10)).epsilon(1e-14));
+  CHECK(grid.velocity_change[node][0] == doctest::Approx(0.21).epsilon(1e-14));
+  CHECK(grid.velocity_change[node][1] == doctest::Approx(-0.05).epsilon(1e-14));
+}
+
+TEST_CASE("A light node is not thrown away by a force that belongs to its neighbourhood") {
+  Nodes<2> nodes(12, 4, WallKind::slip, Transfer::blend);
+  Grid<2>& grid = nodes.grid;
+  std::fill(grid.cell_pressure.begin(), grid.cell_pressure.end(), 0.0);
+  std::fill(grid.sum.begin(), grid.sum.end(), Vec4{});
+  std::fill(grid.force.begin(), grid.force.end(), Vec4{});
+  const int light = grid.layout.index({6, 6}), heavy = grid.layout.index({7, 6});
+  grid.sum[light][3] = 1e-6 * grid.light_mass;
+  grid.sum[heavy][3] = 50 * grid.light_mass;
+  const double force = grid.light_mass / dt;  // alone it would give 1e6 m/s
+  grid.force[light][0] = force;
+  nodes.update();
+  // Takes m / light_mass of the impulse on its own mass, i.e. 1 m/s, and shares the rest with 50 light masses.
+  CHECK(grid.velocity[light][0] == doctest::Approx(1 + 1.0 / 50).epsilon(1e-5));
+  CHECK(grid.velocity[heavy][0] == doctest::Approx(1.0 / 50).epsilon(1e-5));
+}
+
+TEST_CASE("On a slip wall the normal velocity is zero and the tangential one is free; ghosts are mirror images") {
+  Nodes<3> nodes(6, 0, WallKind::slip, Transfer::blend);
+  nodes.gravity = {0.3, -9, 2};
+  nodes.update();
+  const GridLayout<3>& layout = nodes.grid.layout;
+  for (const auto* field : {&nodes.grid.velocity, &nodes.grid.velocity_change})
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int wall : {0, 6}) {
+        std::array<int, 3> at{3, 2, 4}, ghost, mirror;
+        at[axis] = wall;
+        ghost = mirror = at;
+        ghost[axis] = wall == 0 ? -1 : 7;
+        mirror[axis] = wall == 0 ? 1 : 5;
+        const Vec4 &w = (*field)[layout.index(at)], &g = (*field)[layout.index(ghost)],
+                   &m = (*field)[layout.index(mirror)];
+        for (int c = 0; c < 3; ++c) {
+          CHECK((c == axis ? w[c] == 0 : w[c] != 0));
+          CHECK(g[c] == (c == axis ? -m[c] : m[c]));
+        }
+      }
+}
+
+TEST_CASE("On a no-slip wall all velocity is zero; ghosts move the other way") {
+  Nodes<2> nodes(6, 0, WallKind::no_slip, Transfer::apic);
+  nodes.gravity = {0.3, -9};
+  nodes.update();
+  const auto& v = nodes.grid.velocity;
+  const GridLayout<2>& layout = nodes.grid.layout;
+  for (int i = 0; i <= 6; ++i)
+    for (const auto& at : {std::array<int, 2>{i, 0}, {i, 6}, {0, i}, {6, i}})
+      for (int c = 0; c < 2; ++c) CHECK(v[layout.index(at)][c] == 0);
+  for (int c = 0; c < 2; ++c) {
+    CHECK(v[layout.index({-1, 2})][c] == -v[layout.index({1, 2})][c]);
+    CHECK(v[layout.index({2, 7})][c] == -v[layout.index({2, 5})][c]);
+    CHECK(v[layout.index({1, 2})][c] != 0);
+  }
+}
