@@ -1,0 +1,79 @@
+// The state at t = 0 from a scene: membranes, tracers, velocities, arrays of absent features.
+#include <doctest/doctest.h>
+#include <geodrop/pipeline.hpp>
+#include <geodrop/shapes.hpp>
+
+#include <numbers>
+
+#include "support/scene_files.hpp"
+
+using namespace geodrop;
+
+TEST_CASE("The geotextile of the main case has the mass of its rest length, evenly, and no tension") {
+  for (const double slack : {0.0, 0.07}) {
+    CAPTURE(slack);
+    const Scene scene =
+        read_scene(source_path("cases/dump_kekerdom.toml"), {"membranes.geotextile.slack=" + std::to_string(slack)});
+    const State<2> state = build_state<2>(scene);
+    REQUIRE(state.membranes.size() == 1);
+    const Membrane<2>& m = state.membranes[0];
+    const double perimeter = 13.738705;  // reference: circumference of the ellipse of Kekerdom [m]
+    double mass = 0, rest = 0;
+    for (const double each : m.mass) mass += each;
+    for (const double each : m.rest_length) rest += each;
+    // Chords of h/4 on a radius of at least 0.077 m at the tips: a few 1e-4 shorter than the arc.
+    CHECK(rest == doctest::Approx(perimeter * (1 + slack)).epsilon(1e-3));
+    CHECK(mass == doctest::Approx(0.63 * perimeter * (1 + slack)).epsilon(1e-3));
+    CHECK(mass == doctest::Approx(0.63 * rest).epsilon(1e-12));
+    CHECK(m.closed);
+    CHECK(m.segments() == m.nodes());
+    const double spacing = rest / (1 + slack) / static_cast<double>(m.segments());
+    CHECK(spacing == doctest::Approx(0.25 / 4).epsilon(0.01));
+    for (const double T : m.tension) CHECK(T == 0);
+    for (std::size_t k = 0; k < m.nodes(); ++k)
+      CHECK(distance_to_outline(scene.bodies[2].shape, {m.x[0][k], m.x[1][k]}) < 1e-6);
+  }
+}
+
+TEST_CASE("The container of the main case has the area of the field test, and its weight") {
+  const State<2> state = build_state<2>(read_scene(source_path("cases/dump_kekerdom.toml")));
+  double mass = 0;
+  for (const double m : state.bodies[2].mass) mass += m;
+  CHECK(mass == doctest::Approx(1631 * 130 / 24.5).epsilon(1e-3));
+}
+
+TEST_CASE("A bar in its first mode moves with v0 sin(pi x / 2 L), its affine rate is the derivative") {
+  const State<2> state = build_state<2>(read_scene(source_path("cases/elastic_bar.toml")));
+  const Body<2>& bar = state.bodies[0];
+  const double k = std::numbers::pi / 50;
+  double fastest = 0;
+  for (std::size_t p = 0; p < bar.size(); ++p) {
+    CHECK(bar.v[0][p] == doctest::Approx(0.1 * std::sin(k * bar.x[0][p])).epsilon(1e-12));
+    CHECK(bar.v[1][p] == 0);
+    CHECK(bar.affine[0][p] == doctest::Approx(0.1 * k * std::cos(k * bar.x[0][p])).epsilon(1e-12));
+    for (int c = 1; c < 4; ++c) CHECK(bar.affine[c][p] == 0);
+    fastest = std::max(fastest, bar.v[0][p]);
+  }
+  CHECK(state.v_max == doctest::Approx(fastest).epsilon(1e-14));
+}
+
+TEST_CASE("Arrays of absent features have length zero") {
+  const State<2> column = build_state<2>(read_scene(source_path("cases/gravity_column.toml")));
+  CHECK(column.bodies[0].pore_pressure.empty());
+  CHECK(column.bodies[0].deviatoric_strain.empty());
+  CHECK(column.membranes.empty());
+  REQUIRE(column.tracers.size() == 1);
+  CHECK(column.tracers[0].x == std::array<double, 2>{0.05, 0.94309});
+  CHECK(column.tracers[0].initial_x == column.tracers[0].x);
+  const Scene ideal = read_scene(source_path("cases/hydrostatic_column.toml"), {"materials.water.viscosity=0"});
+  const State<2> water = build_state<2>(ideal);
+  for (const auto& component : water.bodies[0].stress) CHECK(component.empty());
+  CHECK(water.bodies[0].pore_pressure.empty());
+  CHECK(water.tracers.empty());
+  const State<2> main_case = build_state<2>(read_scene(source_path("cases/dump_kekerdom.toml")));
+  CHECK(main_case.bodies[1].pore_pressure.size() == main_case.bodies[1].size());  // undrained bed
+  CHECK(main_case.bodies[2].pore_pressure.empty());                               // drained sand
+  CHECK(main_case.drift < 0);
+  CHECK(main_case.t == 0);
+  CHECK(main_case.step == 0);
+}
