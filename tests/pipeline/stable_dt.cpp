@@ -1,0 +1,92 @@
+// The time step in closed form for each thing that limits it, and its two ways of failing.
+#include <doctest/doctest.h>
+#include <geodrop/error.hpp>
+#include <geodrop/pipeline.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "support/random_particles.hpp"
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+/// h = 0.2 m, C = 0.5; one body of water with c = 50 m/s (K = 2.5 MPa).
+struct Case {
+  Scene scene = box_scene<2>(10, 0.2, WallKind::slip);
+  State<2> state;
+  GridLayout<2> layout{scene.grid, scene.walls};
+  Case() { state.bodies = {blank_body<2>(Newtonian{1000, 2.5e6, 0}, 1)}; }
+  double dt() const { return stable_dt(scene, state, layout); }
+};
+
+std::string error_of(const Case& each) {
+  try {
+    each.dt();
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("dt = C h / (c + v)") {
+  Case each;
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 50).epsilon(1e-14));
+  each.state.v_max = 30;
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 80).epsilon(1e-14));
+  each.scene.solver.courant = 0.25;
+  CHECK(each.dt() == doctest::Approx(0.25 * 0.2 / 80).epsilon(1e-14));
+}
+
+TEST_CASE("The stiffest body sets the step: c^2 = (K + 4/3 G + K_f/n) / rho of an undrained soil") {
+  Case each;
+  each.state.bodies.push_back(blank_body<2>(MohrCoulomb{2000, 6e6, 3e6, 0, 0.5, 0.8, 0, 0, 40e6}, 1));
+  CHECK(each.dt() == doctest::Approx(0.1 / std::sqrt((6e6 + 4e6 + 40e6) / 2000)).epsilon(1e-14));
+}
+
+TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to c^2") {
+  Case each;
+  each.state.bodies.push_back(blank_body<2>(MohrCoulomb{1600, 1e6, 6e5, 0, 0.5, 0.8, 0, 0, 0}, 1));
+  each.state.bodies[1].name = "bag";
+  Membrane<2> membrane;
+  membrane.body = "bag";
+  membrane.axial_stiffness = 1e6;
+  each.state.membranes = {membrane};
+  CHECK(each.dt() == doctest::Approx(0.1 / std::sqrt(2500 + 1e6 / (1600 * 0.2))).epsilon(1e-14));
+}
+
+TEST_CASE("A viscous fluid limits the step by h^2 / nu") {
+  // Diffusion on a grid is stable up to h^2 / (2 d nu), d = 2; Courant's share of it.
+  Case each;
+  each.state.bodies = {blank_body<2>(Newtonian{1000, 2.5e6, 4e4}, 1)};
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.04 / (4 * 40)).epsilon(1e-14));
+}
+
+TEST_CASE("Damping shortens the step by sqrt(1 + xi^2) - xi") {
+  Case each;
+  each.scene.solver.damping_rate = 3000;
+  const double dt = 0.002, xi = 3000 * dt / 4;  // xi = beta / (2 omega), omega = 2 / dt
+  CHECK(each.dt() == doctest::Approx(dt * (std::sqrt(1 + xi * xi) - xi)).epsilon(1e-14));
+}
+
+TEST_CASE("A speed that is not finite is an error of the run, with step and time") {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Case each;
+    each.state.v_max = bad;
+    each.state.step = 4711;
+    CHECK(error_of(each).find("not finite") != std::string::npos);
+    CHECK(error_of(each).find("step 4711") != std::string::npos);
+  }
+}
+
+TEST_CASE("A time step that would never reach the end is an error of the run") {
+  Case each;
+  each.state.v_max = 1e14;
+  CHECK(error_of(each).find("collapsed") != std::string::npos);
+  each.state.v_max = 1e3;
+  CHECK(error_of(each).empty());
+}

@@ -1,0 +1,81 @@
+// The golden list of stages of each shipped case: a scene pays for what it names and for nothing else.
+#include <doctest/doctest.h>
+#include <geodrop/pipeline.hpp>
+
+#include "support/scene_files.hpp"
+
+using namespace geodrop;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names stages(const std::string& scene_file, const std::vector<std::string>& overrides = {}) {
+  Names names;
+  for (const Stage<2>& stage : build_pipeline<2>(read_scene(source_path(scene_file), overrides)))
+    names.push_back(stage.name);
+  return names;
+}
+
+const Names elastic = {"sort_particles", "clear_grid",        "particles_to_grid",
+                       "momentum",       "grid_to_particles", "grid_to_tracers"};
+const Names water = {"sort_particles", "clear_grid",  "cell_pressure",    "particles_to_grid",
+                     "momentum",       "volume_rate", "grid_to_particles"};
+
+}  // namespace
+
+TEST_CASE("Water has cell pressure, and neither membranes nor tracers") {
+  CHECK(stages("cases/hydrostatic_column.toml") == water);
+}
+
+TEST_CASE("Elastic solids with particle pressure have no stage of cells") {
+  CHECK(stages("cases/elastic_bar.toml") == elastic);
+  CHECK(stages("cases/gravity_column.toml") == elastic);
+}
+
+TEST_CASE("The main case has membranes on top of cell pressure") {
+  CHECK(stages("cases/dump_kekerdom.toml") == Names{"sort_particles", "clear_grid", "cell_pressure",
+                                                    "particles_to_grid", "membranes_to_grid", "momentum", "volume_rate",
+                                                    "grid_to_particles", "grid_to_membranes"});
+}
+
+TEST_CASE("Cell pressure is a choice of the body") {
+  const Names with_cells = stages("cases/gravity_column.toml", {"bodies.column.pressure=cell"});
+  CHECK(std::count(with_cells.begin(), with_cells.end(), "cell_pressure") == 1);
+  CHECK(std::count(with_cells.begin(), with_cells.end(), "volume_rate") == 1);
+  CHECK(stages("cases/hydrostatic_column.toml", {"bodies.water.pressure=particle", "bodies.water.shift=false"}) ==
+        Names{"sort_particles", "clear_grid", "particles_to_grid", "momentum", "grid_to_particles"});
+}
+
+TEST_CASE("Grid arrays of features that a case does not use have length zero") {
+  const Grid<2> column = make_grid<2>(read_scene(source_path("cases/gravity_column.toml")));
+  CHECK(column.cell_volume.empty());
+  CHECK(column.cell_pressure.empty());
+  CHECK(column.volume_rate.empty());
+  CHECK(column.cell_flags.empty());
+  CHECK_FALSE(column.velocity_change.empty());  // blend
+  const Grid<2> still = make_grid<2>(read_scene(source_path("cases/hydrostatic_column.toml")));
+  CHECK(still.force.empty());
+  CHECK(still.velocity_change.empty());  // apic
+  CHECK_FALSE(still.cell_flags.empty());
+}
+
+TEST_CASE("A step runs every stage once, in order, and then advances the clock") {
+  const Scene scene = read_scene(source_path("cases/hydrostatic_column.toml"));
+  State<2> state = build_state<2>(scene);
+  Grid<2> grid = make_grid<2>(scene);
+  std::vector<int> order;
+  Pipeline<2> pipeline;
+  double seen = -1;
+  for (int k = 0; k < 3; ++k)
+    pipeline.push_back({"stage", "", [&order, &seen, k](State<2>& s, Grid<2>&, const StepContext& step) {
+                          order.push_back(k);
+                          CHECK(step.step == 0);
+                          CHECK(s.t == 0);
+                          seen = step.dt;
+                        }});
+  advance(scene, pipeline, state, grid);
+  CHECK(order == std::vector<int>{0, 1, 2});
+  CHECK(state.t == seen);
+  CHECK(state.step == 1);
+}
