@@ -189,6 +189,17 @@ TEST_CASE("a row whose condition does not hold is refused") {
         std::string::npos);
 }
 
+TEST_CASE("what depends on a wrong key is not complained about") {
+  for (const char* override :
+       {"materials.clay.model=mohr_coulmb", "materials.clay.drainage=3", "bodies.bed.initial_stress.type=k1",
+        "bodies.bag.shape.type=elipse", "bodies.bag.initial_stress.surface=high", "grid.spacing=-1"}) {
+    const std::string error = scene_error(every_key, {override});
+    CAPTURE(error);
+    CHECK_FALSE(error.empty());
+    CHECK(error.find('\n') == std::string::npos);
+  }
+}
+
 TEST_CASE("rows are well formed") {
   std::set<std::string> seen;
   for (const Key& key : key_table()) {

@@ -61,13 +61,14 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
            Mistake{"gravity.1=up", ": --set: gravity: found \"up\" (a text) in [0, \"up\"]"},
            Mistake{"grid.spacing=-1", ": --set: grid.spacing: found -1; allowed: a number > 0 [m]"},
            Mistake{"grid.spacing=1 2", ": --set: grid.spacing: found 1 2; allowed: a TOML value"},
-           Mistake{"grid.spacing=1\nx=2", "allowed: a TOML value"},
+           Mistake{"grid.spacing=1\ny=2", "allowed: a TOML value"},
            Mistake{"grid.spacing", "found \"grid.spacing\"; allowed: KEY=VALUE"},
            Mistake{"grid..spacing=1", "found \"grid..spacing\"; allowed: a key such as"},
            Mistake{"=1", "allowed: a key such as"},
            Mistake{"solver.couran=",
                    "found no such key to remove; allowed: one of \"blend_rate\", \"courant\", \"damping_rate\", "
                    "\"transfer\"; the nearest is \"courant\""},
+           Mistake{"grid.spacing=1e-5", "allowed: at most 2147483647 cells in the domain"},
            Mistake{"grid.spacing=", "grid.spacing: found nothing: the key is missing"},
        }) {
     const std::string error = scene_error(every_key, {mistake.override});

@@ -127,6 +127,8 @@ TEST_CASE("polygon: either sense of corners, edges belong to it") {
     CHECK(contains(polygon, {3, 1}));
     CHECK(contains(polygon, {2, 1.5}));  // on the slanted edge
     CHECK(contains(polygon, {0, 0}));
+    CHECK(contains(polygon, {4, 1.5}));  // on the right edge, which a crossing count alone leaves out
+    CHECK(contains(polygon, {4, 3}));
     CHECK_FALSE(contains(polygon, {1, 1}));
     CHECK_FALSE(contains(polygon, {-1, 0}));
     CHECK(signed_area(outline(polygon, 0.5)) == doctest::Approx(6));
