@@ -10,7 +10,7 @@
 #ifdef GEODROP_NO_CLONES
 #define GEODROP_KERNEL
 #else
-#define GEODROP_KERNEL [[gnu::target_clones("arch=x86-64-v3", "default"), gnu::flatten]]
+#define GEODROP_KERNEL [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), gnu::flatten]]
 #endif
 
 namespace geodrop {
