@@ -39,6 +39,16 @@ void add_scene(CLI::App& command, Arguments& arguments) {
       ->expected(1);
 }
 
+/// CLI::PositiveNumber would answer with a range up to 1.8e308, in full.
+CLI::Validator above_zero(const std::string& allowed) {
+  const auto complaint = [allowed](const std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value > 0;
+    return good ? std::string() : "found " + text + "; allowed: " + allowed;
+  };
+  return CLI::Validator(complaint, "> 0", "above_zero");
+}
+
 /// libgomp reads how long a waiting thread spins before the program can say so; hence one restart with the answer.
 /// Its own default spins for milliseconds: beside other busy processes a step then takes 30 times as long (main case on
 /// 2 busy cores: 1680 ns per particle-step; with 1000 spins 82, idle machine: 44 either way).
@@ -79,10 +89,15 @@ int stages(const Arguments& arguments) {
   return 0;
 }
 
+/// The clone of the kernels that this machine chose, see kernels/chunk.hpp.
+const char* kernel_instruction_set() {
+  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
+}
+
 int info(const Arguments& arguments) {
   std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs()
-            << " cores, kernels for "
-            << (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "x86-64-v3" : "x86-64-v2") << '\n';
+            << " cores, kernels for " << kernel_instruction_set() << '\n';
   if (arguments.scene.empty()) return 0;
   for (const geodrop::Fact& fact : geodrop::scene_facts(geodrop::read_scene(arguments.scene, arguments.overrides)))
     std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);
@@ -102,16 +117,16 @@ int main(int argc, char** argv) {
   restart_with_patient_threads(argv);
   CLI::App app{"geodrop: Material Point Method for soil, water and geotextile", "geodrop"};
   app.set_version_flag("--version", std::string("geodrop ") + GEODROP_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // none is reported below, after what was not understood
   Arguments arguments;
 
   auto* run_command = app.add_subcommand("run", "run a scene; writes a run directory");
   add_scene(*run_command, arguments);
   run_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero("a whole number of at least 1"));
   run_command->add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
   run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero("a time > 0 [s]"));
   run_command->add_flag("--resume", arguments.resume, "go on from the checkpoint in the run directory");
   run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
   auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
@@ -125,12 +140,13 @@ int main(int argc, char** argv) {
   auto* bench_command = app.add_subcommand("bench", "measure million particle-steps per second; writes bench.csv");
   bench_command->add_flag("--quick", arguments.quick, "1e5 instead of 1e6 particles");
   bench_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero("a whole number of at least 1"));
   bench_command->add_option("--output", arguments.output, "directory for bench.csv (default: runs/bench)");
   bench_command->add_option("--only", arguments.only, "only benchmarks whose name contains this");
 
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) throw CLI::RequiredError::Subcommand(1);
     if (*run_command) return run(arguments);
     if (*check_command) return check(arguments);
     if (*stages_command) return stages(arguments);
