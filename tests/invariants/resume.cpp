@@ -1,0 +1,71 @@
+// A run that was stopped and resumed leaves what an uninterrupted run leaves, bit for bit.
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "support/program.hpp"
+
+using namespace geodrop::test;
+
+namespace {
+
+const std::string scene = "cases/dump_kekerdom.toml";
+const std::vector<std::string> settings{"grid.spacing=0.5", "time.end=0.1"};
+
+/// All that a run leaves and that must not depend on interruptions.
+struct Left {
+  std::string hash, history, frames;
+  explicit Left(const SceneRun& run)
+      : hash(run.hash()), history(geodrop::read_file(run.file("history.csv"))), frames(geodrop::read_file(run.file("particles.pvd"))) {}
+  bool operator==(const Left&) const = default;
+};
+
+const Left& uninterrupted() {
+  static const Left left(SceneRun(scene, settings, {"--threads", "1"}));
+  return left;
+}
+
+}  // namespace
+
+TEST_CASE("Stopped by --until and resumed, also on other threads: the same hash and history") {
+  SceneRun run(scene, settings, {"--threads", "2", "--until", "0.043"});
+  CHECK(run.outcome().code == 0);
+  CHECK(std::filesystem::exists(run.file("checkpoint.bin")));
+  CHECK(run.hash() != uninterrupted().hash);
+  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
+  CHECK(run.text("status") == "done");
+  CHECK(run.hash() == uninterrupted().hash);
+  CHECK(geodrop::read_file(run.file("history.csv")) == uninterrupted().history);
+}
+
+TEST_CASE("Stopped twice and resumed: the same hash and history") {
+  SceneRun run(scene, settings, {"--until", "0.021"});
+  CHECK(run.again({"--resume", "--until", "0.062"}).code == 0);
+  CHECK(run.again({"--resume"}).code == 0);
+  CHECK(run.hash() == uninterrupted().hash);
+  CHECK(geodrop::read_file(run.file("history.csv")) == uninterrupted().history);
+}
+
+TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
+  // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
+  const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};
+  SceneRun run(scene, longer, {"--until", "0.001"});  // makes the directory
+  std::filesystem::remove_all(run.file(""));
+  const Program program(run.arguments({"--threads", "2"}));
+  for (int k = 0; k < 1000 && !std::filesystem::exists(run.file("particles_000001.vtu")); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  program.signal(SIGINT);
+  const Outcome outcome = program.wait();
+  CHECK(outcome.code == 75);
+  CHECK(run.text("status") == "stopped");
+  CHECK(std::filesystem::exists(run.file("checkpoint.bin")));
+  CHECK((outcome.out + outcome.err).find("--resume") != std::string::npos);
+  const double stopped_at = run.column("time_s").back(), end = stopped_at + 0.2;
+  REQUIRE(end < 3);
+  CHECK(run.again({"--resume", "--until", std::to_string(end)}).code == 0);
+  const SceneRun whole(scene, longer, {"--until", std::to_string(end)});
+  CHECK(run.hash() == whole.hash());
+  CHECK(geodrop::read_file(run.file("history.csv")) == geodrop::read_file(whole.file("history.csv")));
+}
