@@ -126,6 +126,17 @@ TEST_CASE("The threshold is a smoothed fill ratio of 0.7") {
   }
 }
 
+TEST_CASE("Smoothing sees the mirror image beyond a wall") {
+  // Half cells 1/2 full along the left wall, full ones behind: 1/4 + 1/2 1/2 + 1/4 = 0.75. Without the image: at most
+  // 0.625.
+  Tank<2> tank(8);
+  Body<2>& body = tank.state.bodies[0];
+  for (std::size_t p = 0; p < body.size(); ++p)
+    if (body.x[0][p] < 0.25) body.mass[p] *= 0.5;
+  tank.average();
+  CHECK(tank.filled({0, 4}));
+}
+
 TEST_CASE("Particles do not shift in the cells around a membrane") {
   Tank<2> tank(10);
   Membrane<2> membrane;
