@@ -26,10 +26,10 @@ struct LinearElastic {
 
 /// Elastic, perfectly plastic Mohr-Coulomb with a non-associated flow rule and a tension cut-off.
 struct MohrCoulomb {
-  double density;         ///< of the mixture [kg/m3]
-  double bulk_modulus;    ///< of the skeleton [Pa]
-  double shear_modulus;   ///< [Pa]
-  double cohesion;        ///< [Pa]
+  double density;        ///< of the mixture [kg/m3]
+  double bulk_modulus;   ///< of the skeleton [Pa]
+  double shear_modulus;  ///< [Pa]
+  double cohesion;       ///< [Pa]
   double sin_phi, cos_phi;
   double sin_psi;
   double tension_cutoff;  ///< largest principal effective stress [Pa]; <= c cot(phi)

@@ -28,10 +28,11 @@ struct Body {
   std::array<Array<double>, Dim * Dim> affine;  ///< C, row-major: dv_a/dx_b ~ affine[a * Dim + b] [1/s]
   Array<double> mass;                           ///< [kg], per metre of depth in 2D
   Array<double> J;                              ///< volume ratio to the reference density [-]
-  std::array<Array<double>, stress_components<Dim>> stress;  ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
-  Array<double> pore_pressure;                  ///< undrained soil [Pa]
-  Array<double> deviatoric_strain;              ///< soil: accumulated sqrt(2/3 e:e) [-]
-  Array<std::uint32_t> id;                      ///< index at the start
+  std::array<Array<double>, stress_components<Dim>>
+      stress;                       ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
+  Array<double> pore_pressure;      ///< undrained soil [Pa]
+  Array<double> deviatoric_strain;  ///< soil: accumulated sqrt(2/3 e:e) [-]
+  Array<std::uint32_t> id;          ///< index at the start
 
   // Indexed by id, so never permuted:
   std::array<Array<double>, Dim> initial_x;  ///< [m]
@@ -55,15 +56,15 @@ struct Membrane {
   std::string name;
   std::string body;
   bool closed = true;
-  double axial_stiffness = 0;    ///< J [N/m]
-  double strength = 0;           ///< [N/m]
-  int averaging_segments = 0;    ///< half width of the box mean
+  double axial_stiffness = 0;           ///< J [N/m]
+  double strength = 0;                  ///< [N/m]
+  int averaging_segments = 0;           ///< half width of the box mean
   std::array<Array<double>, Dim> x, v;  ///< nodes [m], [m/s]
-  Array<double> mass;            ///< nodes [kg], per metre of depth
-  Array<double> rest_length;     ///< segments [m]
-  Array<double> strain;          ///< segments, averaged, signed [-]
-  Array<double> tension;         ///< segments, averaged [N/m]
-  double tension_peak = 0;       ///< largest tension since it was last reported [N/m]
+  Array<double> mass;                   ///< nodes [kg], per metre of depth
+  Array<double> rest_length;            ///< segments [m]
+  Array<double> strain;                 ///< segments, averaged, signed [-]
+  Array<double> tension;                ///< segments, averaged [N/m]
+  double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
 
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }
@@ -78,10 +79,10 @@ struct Tracer {
 
 template <int Dim>
 struct State {
-  double t = 0;              ///< [s]
+  double t = 0;  ///< [s]
   std::uint64_t step = 0;
-  double drift = 0;          ///< accumulated |v|max dt since the last sort [m]; negative: sort before the next step
-  double v_max = 0;          ///< largest particle speed [m/s]
+  double drift = 0;  ///< accumulated |v|max dt since the last sort [m]; negative: sort before the next step
+  double v_max = 0;  ///< largest particle speed [m/s]
   std::vector<Body<Dim>> bodies;
   std::vector<Membrane<Dim>> membranes;
   std::vector<Tracer<Dim>> tracers;

@@ -5,8 +5,8 @@
 #include <geodrop/grid.hpp>
 #include <geodrop/state.hpp>
 
-// Kernel entries are compiled for x86-64-v3 (AVX2, FMA) and for the baseline, chosen at load time; `flatten` inlines
-// the templates below into both. Sanitizers do not get along with the load-time choice.
+// Kernel entries are compiled for x86-64-v4 (32 vector registers: no spills), x86-64-v3 (AVX2, FMA) and the baseline,
+// chosen at load time; `flatten` inlines the templates below into each. Sanitizers do not get along with that choice.
 #ifdef GEODROP_NO_CLONES
 #define GEODROP_KERNEL
 #else

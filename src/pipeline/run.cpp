@@ -21,7 +21,8 @@ void write_due_output(Output<Dim>& output, State<Dim>& state) {
 
 /// Steps until `end` or a stop signal. On a broken run the status says failed; the state is as the break left it.
 template <int Dim>
-RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid, Output<Dim>& output) {
+RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid,
+                         Output<Dim>& output) {
   RunStatistics statistics;
   const std::uint64_t first_step = state.step;
   const auto start = std::chrono::steady_clock::now();
@@ -61,7 +62,8 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
   RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
   statistics.facts = scene_facts(scene);
   // A run that ends before its scene does, by signal or by --until, can go on later.
-  const bool unfinished = statistics.status == RunStatus::stopped || (statistics.status == RunStatus::done && end < scene.time.end);
+  const bool unfinished =
+      statistics.status == RunStatus::stopped || (statistics.status == RunStatus::done && end < scene.time.end);
   if (unfinished) output.checkpoint(Frame<Dim>(state));
   const Summary summary = output.finish(Frame<Dim>(state), statistics);
   return exit_code(statistics.status, summary.expectations_met, verify);

@@ -17,7 +17,8 @@ double bytes(const Array<T>& values) {
 
 template <int Dim>
 double particle_bytes(const Body<Dim>& body) {
-  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) + bytes(body.id) + bytes(body.layer);
+  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) +
+               bytes(body.id) + bytes(body.layer);
   for (const auto& values : body.x) sum += bytes(values);
   for (const auto& values : body.v) sum += bytes(values);
   for (const auto& values : body.affine) sum += bytes(values);
@@ -43,7 +44,8 @@ std::vector<Fact> facts_in(const Scene& scene) {
     memory += particle_bytes(body);
     facts.push_back({body.name + ".particles_count", static_cast<double>(body.size())});
     facts.push_back({body.name + ".wave_speed_m_s", wave_speed(body.material)});
-    if (std::holds_alternative<Newtonian>(body.material)) facts.push_back({body.name + ".density_rise_ratio", density_rise(body)});
+    if (std::holds_alternative<Newtonian>(body.material))
+      facts.push_back({body.name + ".density_rise_ratio", density_rise(body)});
     const auto* soil = std::get_if<MohrCoulomb>(&body.material);
     if (soil && soil->pore_stiffness > 0) facts.push_back({body.name + ".skempton_b_ratio", skempton_b(*soil)});
   }
@@ -60,14 +62,17 @@ template <int Dim>
 std::string stages_in(const Scene& scene) {
   std::ostringstream text;
   for (const Stage<Dim>& stage : build_pipeline<Dim>(scene)) {
-    text << stage.name << std::string(20 - std::min<std::size_t>(19, stage.name.size()), ' ') << stage.reads_writes << '\n';
+    text << stage.name << std::string(20 - std::min<std::size_t>(19, stage.name.size()), ' ') << stage.reads_writes
+         << '\n';
   }
   return text.str();
 }
 
 }  // namespace
 
-std::vector<Fact> scene_facts(const Scene& scene) { return scene.dimension == 2 ? facts_in<2>(scene) : facts_in<3>(scene); }
+std::vector<Fact> scene_facts(const Scene& scene) {
+  return scene.dimension == 2 ? facts_in<2>(scene) : facts_in<3>(scene);
+}
 
 std::string stages_text(const Scene& scene) { return scene.dimension == 2 ? stages_in<2>(scene) : stages_in<3>(scene); }
 
