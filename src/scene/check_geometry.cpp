@@ -13,6 +13,12 @@ double cross(const Point& o, const Point& a, const Point& b) {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
+double distance(const Point& a, const Point& b) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+  return std::sqrt(sum);
+}
+
 bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
   return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
 }
@@ -42,6 +48,8 @@ void check_polygon(const PolygonShape& polygon, const std::string& key, Report& 
     report.add(key + ".points", "an outline that crosses itself", "a polygon that does not cross itself");
   } else if (area(polygon) <= 0) {
     report.add(key + ".points", "a polygon without area", "points that are not all on one line");
+  } else {
+    check_legs(polygon.points, Outline::closed, key + ".points", report);
   }
 }
 
@@ -180,6 +188,22 @@ class PlacementCheck {
 };
 
 }  // namespace
+
+void check_legs(const std::vector<Point>& points, Outline outline, const std::string& key, Report& report) {
+  constexpr double kRounding = 1e-9;  // of the outline's extent
+  const std::size_t n = points.size();
+  if (n < 2) return;
+  const Bounds box = bounds(PolygonShape{points});
+  const double least = kRounding * distance(box.lower, box.upper);
+  for (std::size_t i = 1; i < n; ++i) {
+    if (distance(points[i - 1], points[i]) <= least)
+      report.add(key + '.' + std::to_string(i), "the point " + to_text(points[i]) + " twice in a row",
+                 "points that differ from the one before");
+  }
+  if (outline == Outline::closed && n > 2 && distance(points.back(), points.front()) <= least)
+    report.add(key + '.' + std::to_string(n - 1), "the first point " + to_text(points.front()) + " again at the end",
+               "each point once: the last point joins the first by itself");
+}
 
 bool shape_is_sound(const Shape& shape) {
   if (const auto* polygon = std::get_if<PolygonShape>(&shape)) return polygon->points.size() >= 3;

@@ -13,10 +13,7 @@ void check_count(const MembraneSpec& membrane, const std::string& key, Report& r
     report.add(key + ".points", found, "at least 2 points of a membrane with closed = false");
   if (membrane.closed && count > 0 && count < 3)
     report.add(key + ".points", found, "none (the whole outline) or at least 3 points of a closed membrane");
-  for (std::size_t i = 1; i < count; ++i) {
-    if (membrane.points[i] == membrane.points[i - 1])
-      report.add(key + ".points", "the point " + to_text(membrane.points[i]) + " twice in a row", "different points");
-  }
+  check_legs(membrane.points, membrane.closed ? Outline::closed : Outline::open, key + ".points", report);
 }
 
 void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {

@@ -12,6 +12,9 @@
 
 namespace geodrop {
 
+/// Whether the last point of a list joins the first.
+enum class Outline { open, closed };
+
 /// All of the checks below.
 void check_scene(const Scene& scene, Report& report);
 
@@ -46,6 +49,10 @@ bool check_reference(const std::string& key, const std::string& name, const std:
 
 /// The same for a name that must be a newtonian material.
 bool check_fluid(const Scene& scene, const std::string& key, const std::string& name, Report& report);
+
+/// Reports each point that stands on the one before it (of a closed outline also the last on the first): the leg
+/// between them has no direction.
+void check_legs(const std::vector<Point>& points, Outline outline, const std::string& key, Report& report);
 
 /// The shape has what its geometry needs (it may still be off the grid, or empty).
 bool shape_is_sound(const Shape& shape);

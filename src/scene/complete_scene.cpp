@@ -91,8 +91,15 @@ class TableWalker {
       report_.add(path, check.found, describe_allowed(key, dimension_));
       return false;
     }
+    if (key.kind == Kind::points) place_points(*node.as_array(), path);
     insert(out_, key.name, node);
     return true;
+  }
+
+  /// Each point of a list can be complained about by itself, as "points.3".
+  void place_points(const toml::array& points, const std::string& path) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      report_.place(join_path(path, std::to_string(i)), to_ref(*points.get(i)));
   }
 
   static void insert(toml::table& target, std::string_view name, const toml::node& node) {
