@@ -34,6 +34,19 @@ void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const st
   }
 }
 
+/// The running mean of a closed membrane is over 2 w + 1 different segments.
+void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (!membrane.closed || !body || !report.healthy(key) || !report.healthy("bodies")) return;
+  const Shape drawn = membrane.points.empty() ? body->shape : Shape{PolygonShape{membrane.points}};
+  const std::size_t segments = outline(drawn, scene.grid.spacing / membrane.segments_per_cell).size();
+  const std::size_t most = (segments - 1) / 2;
+  if (static_cast<std::size_t>(membrane.averaging_segments) <= most) return;
+  report.add(key + ".averaging_segments", std::to_string(membrane.averaging_segments),
+             "at most " + std::to_string(most) + " on a closed membrane of " + std::to_string(segments) +
+                 " segments: the mean is over 2 averaging_segments + 1 of them");
+}
+
 }  // namespace
 
 void check_membranes(const Scene& scene, Report& report) {
@@ -43,7 +56,9 @@ void check_membranes(const Scene& scene, Report& report) {
     const bool known = check_reference(key + ".body", membrane.body, names_of(scene.bodies), "bodies", report);
     if (!report.healthy(key + ".points") || !report.healthy(key + ".closed") || !report.healthy("dimension")) continue;
     check_count(membrane, key, report);
-    if (known && report.healthy("grid.spacing")) check_on_outline(scene, membrane, key, report);
+    if (!known || !report.healthy("grid.spacing")) continue;
+    check_on_outline(scene, membrane, key, report);
+    check_averaging(scene, membrane, key, report);
   }
 }
 

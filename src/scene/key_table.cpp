@@ -26,8 +26,9 @@ constexpr Range percent{">= 0 and <= 100", [](double x) { return x >= 0 && x <= 
 constexpr Range plane{"2 (three-dimensional scenes are not supported yet)", [](double x) { return x == 2; }};
 constexpr Range per_axis{"1 to 8", [](double x) { return x >= 1 && x <= 8; }};
 constexpr Range bands{"1 to 255", [](double x) { return x >= 1 && x <= 255; }};
-constexpr Range window{"0 to 16", [](double x) { return x >= 0 && x <= 16; }};
-constexpr Range dense{">= 2 (fluid leaks between nodes that are farther apart)", [](double x) { return x >= 2; }};
+constexpr Range window{"0 to 64", [](double x) { return x >= 0 && x <= 64; }};
+constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart) to 64",
+                      [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
 constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 constexpr Range free_text{"any text", [](double) { return true; }};
