@@ -43,7 +43,9 @@ constexpr Range words(std::string_view choices) { return {choices}; }
 constexpr Section sections[] = {
     {"", "Top level", "", "What the scene is about, and its tables."},
     {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
-    {"walls", "[walls]", "", "How the four edges of the domain hold what touches them."},
+    {"walls", "[walls]", "",
+     "How the four edges of the domain hold what touches them. Walls never let go: no_slip holds material in all "
+     "directions, slip in the normal one, also where it would pull away (there is no separation)."},
     {"solver", "[solver]", "", "The scheme."},
     {"time", "[time]", "", "How long to run."},
     {"output", "[output]", "", "What is written, how often."},
@@ -83,10 +85,10 @@ constexpr Key keys[] = {
     {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain"},
     {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2"), "shape functions: quadratic B-splines"},
 
-    {"walls", "left", choice, "", "", required, words("slip|no_slip"), "wall at the lower x"},
-    {"walls", "right", choice, "", "", required, words("slip|no_slip"), "wall at the upper x"},
-    {"walls", "bottom", choice, "", "", required, words("slip|no_slip"), "wall at the lower y"},
-    {"walls", "top", choice, "", "", required, words("slip|no_slip"), "wall at the upper y"},
+    {"walls", "left", choice, "", "", required, words("slip|no_slip"), "wall at the lower x; never lets go"},
+    {"walls", "right", choice, "", "", required, words("slip|no_slip"), "wall at the upper x; never lets go"},
+    {"walls", "bottom", choice, "", "", required, words("slip|no_slip"), "wall at the lower y; never lets go"},
+    {"walls", "top", choice, "", "", required, words("slip|no_slip"), "wall at the upper y; never lets go"},
 
     {"solver", "transfer", choice, "", "", required, words("apic|blend"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own"},
     {"solver", "blend_rate", real, "1/s", "transfer=blend", required, positive, "lambda; particles keep exp(-lambda dt) of their own velocity each step"},
