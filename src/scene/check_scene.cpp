@@ -51,14 +51,20 @@ bool check_axis(const GridSpec& grid, std::size_t axis, Report& report) {
 
 void check_grid(const Scene& scene, Report& report) {
   if (!report.healthy("grid")) return;
-  constexpr double kMostCells = 2147483647.0;
+  constexpr double kMostCells = 2e8;
+  constexpr double kBytesPerCell = 153;  // of the arrays in grid.hpp, all of them in use
   const GridSpec& grid = scene.grid;
   double cells = 1;
   for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) {
     if (!check_axis(grid, axis, report)) return;
     cells *= (grid.upper[axis] - grid.lower[axis]) / grid.spacing;
   }
-  if (cells > kMostCells) report.add("grid.spacing", to_text(grid.spacing), "at most 2147483647 cells in the domain");
+  if (cells <= kMostCells) return;
+  const auto count = [&](double n) {
+    return to_text(std::round(n / 1e6)) + " million cells, about " + to_text(std::round(n * kBytesPerCell / 1e9)) +
+           " GB of memory for the grid";
+  };
+  report.add("grid.spacing", to_text(grid.spacing) + ", which is " + count(cells), "at most " + count(kMostCells));
 }
 
 void check_scene(const Scene& scene, Report& report) {

@@ -68,7 +68,10 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
            Mistake{"solver.couran=",
                    "found no such key to remove; allowed: one of \"blend_rate\", \"courant\", \"damping_rate\", "
                    "\"transfer\"; the nearest is \"courant\""},
-           Mistake{"grid.spacing=1e-5", "allowed: at most 2147483647 cells in the domain"},
+           Mistake{"grid.spacing=0.0005",
+                   "found 5e-04, which is 400 million cells, about 61 GB of memory for the grid; allowed: at most 200 "
+                   "million cells, about 31 GB of memory for the grid"},
+           Mistake{"grid.spacing=1e-5", "allowed: at most 200 million cells"},
            Mistake{"grid.spacing=", "grid.spacing: found nothing: the key is missing"},
        }) {
     const std::string error = scene_error(every_key, {mistake.override});
