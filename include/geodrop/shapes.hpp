@@ -30,6 +30,15 @@ double perimeter(const Shape& shape);
 /// Distance of a point to the outline, from either side [m].
 double distance_to_outline(const Shape& shape, const Point& x);
 
+/// A piece of a line along an axis, by the coordinate along that axis [m].
+struct Chord {
+  double from, to;
+};
+
+/// What the line through x along an axis (0: x) has in common with a shape, in ascending order: exact, but for lines
+/// through a corner of a polygon. Of polygons 2D only.
+std::vector<Chord> chords(const Shape& shape, const Point& x, int axis);
+
 /// The shape itself or, for a half-plane, the polygon that it leaves of the domain (without points if nothing is left).
 Shape clip_half_plane(const Shape& shape, const Bounds& domain);
 

@@ -4,77 +4,132 @@
 #include <cmath>
 #include <geodrop/error.hpp>
 #include <geodrop/shapes.hpp>
+#include <numeric>
 #include <random>
+#include <unordered_map>
+
+#include "site_share.hpp"
 
 namespace geodrop {
 namespace {
 
-/// Cut sites are sampled by this many points per axis: the area of a site is then known to about 1 %, its sum over an
-/// outline far better.
-constexpr int samples_per_axis = 16;
-/// Smaller shares are left out: they would be single points with next to no mass.
+/// Smaller shares get no particle of their own, but swell that of a neighbour: they would be points with next to no
+/// mass.
 constexpr double smallest_share = 0.02;
 
-/// The material points that belong to a body: inside its shape, outside all shapes cut out of it.
-class BodyRegion {
+/// The sites of the lattice that a body's bounds reach.
+template <int Dim>
+class Lattice {
  public:
-  BodyRegion(const Scene& scene, const BodySpec& spec) : shape_(&spec.shape) {
-    for (const std::string& name : spec.minus)
-      for (const BodySpec& other : scene.bodies)
-        if (other.name == name) removed_.push_back(&other.shape);
+  Lattice(const Scene& scene, const BodySpec& spec)
+      : origin_(scene.grid.lower), width_(scene.grid.spacing / spec.particles_per_cell_axis) {
+    constexpr double rounding = 1e-9;
+    const Bounds box = bounds(spec.shape);
+    for (int a = 0; a < Dim; ++a) {
+      const double low = std::max(box.lower[a], origin_[a]), high = std::min(box.upper[a], scene.grid.upper[a]);
+      first_[a] = static_cast<std::int64_t>(std::floor((low - origin_[a]) / width_ + rounding));
+      const auto end = static_cast<std::int64_t>(std::ceil((high - origin_[a]) / width_ - rounding));
+      count_[a] = std::max<std::int64_t>(0, end - first_[a]);
+    }
   }
-  bool holds(const Point& x) const {
-    return contains(*shape_, x) &&
-           std::none_of(removed_.begin(), removed_.end(), [&](const Shape* s) { return contains(*s, x); });
+
+  double width() const { return width_; }
+  double site_volume() const { return std::pow(width_, Dim); }
+  std::int64_t size() const {
+    std::int64_t total = 1;
+    for (const std::int64_t n : count_) total *= n;
+    return total;
+  }
+
+  void get_site(std::int64_t site, Bounds& out) const {
+    for (int a = 0; a < Dim; site /= count_[a], ++a) {
+      const double centre = origin_[a] + (static_cast<double>(first_[a] + site % count_[a]) + 0.5) * width_;
+      out.lower[a] = centre - width_ / 2;
+      out.upper[a] = centre + width_ / 2;
+    }
+  }
+
+  /// Calls f(neighbour) for the up to 3^Dim - 1 sites around one.
+  template <class F>
+  void for_each_neighbour(std::int64_t site, F&& f) const {
+    constexpr int around = Dim == 2 ? 9 : 27;
+    for (int k = 0; k < around; ++k) {
+      std::int64_t other = 0, stride = 1, rest = site;
+      bool exists = true;
+      for (int a = 0, step = k; a < Dim; rest /= count_[a], stride *= count_[a], step /= 3, ++a) {
+        const std::int64_t i = rest % count_[a] + step % 3 - 1;
+        exists = exists && i >= 0 && i < count_[a];
+        other += i * stride;
+      }
+      if (exists && other != site) f(other);
+    }
   }
 
  private:
-  const Shape* shape_;
-  std::vector<const Shape*> removed_;
+  Point origin_;
+  double width_;
+  std::array<std::int64_t, Dim> first_, count_;
 };
 
-/// Share of a site inside the region, and the centroid of that share.
-struct SiteShare {
-  double share = 0;
-  Point centroid;
+/// A share of the body that becomes one particle.
+template <int Dim>
+struct Portion {
+  std::int64_t site;
+  SiteShare<Dim> part;
 };
 
-/// Calls f(offset) for n^Dim points evenly spread over a site of width `width` around its centre.
-template <int Dim, class F>
-void for_each_sample(int n, double width, F&& f) {
-  std::array<double, Dim> offset;
-  int total = 1;
-  for (int a = 0; a < Dim; ++a) total *= n;
-  for (int k = 0; k < total; ++k) {
-    for (int a = 0, rest = k; a < Dim; ++a, rest /= n) offset[a] = ((rest % n + 0.5) / n - 0.5) * width;
-    f(offset);
+template <int Dim>
+double distance2(const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
+  double sum = 0;
+  for (int axis = 0; axis < Dim; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+  return sum;
+}
+
+template <int Dim>
+void merge(SiteShare<Dim>& into, const SiteShare<Dim>& from) {
+  const double share = into.share + from.share;
+  for (int a = 0; a < Dim; ++a)
+    into.centroid[a] = (into.share * into.centroid[a] + from.share * from.centroid[a]) / share;
+  into.share = share;
+}
+
+/// Hands each small share to the nearest portion among those of the sites around; what is farther off follows through
+/// the small share between. A body of small shares alone keeps none.
+template <int Dim>
+void hand_over(const Lattice<Dim>& lattice, std::vector<Portion<Dim>> small, std::vector<Portion<Dim>>& portions) {
+  if (small.empty()) return;
+  std::unordered_map<std::int64_t, std::size_t> owner;
+  for (std::size_t k = 0; k < portions.size(); ++k) owner.emplace(portions[k].site, k);
+  for (std::size_t before = 0; before != small.size();) {
+    before = small.size();
+    std::erase_if(small, [&](const Portion<Dim>& crumb) {
+      Portion<Dim>* nearest = nullptr;
+      const auto gap = [&](const Portion<Dim>& p) { return distance2<Dim>(p.part.centroid, crumb.part.centroid); };
+      lattice.for_each_neighbour(crumb.site, [&](std::int64_t site) {
+        const auto found = owner.find(site);
+        if (found == owner.end()) return;
+        Portion<Dim>& portion = portions[found->second];
+        if (!nearest || gap(portion) < gap(*nearest)) nearest = &portion;
+      });
+      if (!nearest) return false;
+      merge(nearest->part, crumb.part);
+      owner.emplace(crumb.site, static_cast<std::size_t>(nearest - portions.data()));
+      return true;
+    });
   }
 }
 
 template <int Dim>
-SiteShare sample_site(const BodyRegion& region, const Point& centre, double width, int n) {
-  SiteShare out{0, Point(Dim, 0.0)};
-  Point x(Dim);
-  int inside = 0, total = 0;
-  for_each_sample<Dim>(n, width, [&](const std::array<double, Dim>& offset) {
-    for (int a = 0; a < Dim; ++a) x[a] = centre[a] + offset[a];
-    ++total;
-    if (!region.holds(x)) return;
-    ++inside;
-    for (int a = 0; a < Dim; ++a) out.centroid[a] += x[a];
-  });
-  out.share = static_cast<double>(inside) / total;
-  if (inside > 0)
-    for (double& c : out.centroid) c /= inside;
-  return out;
-}
-
-template <int Dim>
-SiteShare share_of_site(const BodyRegion& region, const Point& centre, double width) {
-  constexpr int coarse = 4;
-  SiteShare rough = sample_site<Dim>(region, centre, width, coarse);
-  if (rough.share == 1) return {1, centre};
-  return rough.share == 0 ? rough : sample_site<Dim>(region, centre, width, samples_per_axis);
+std::vector<Portion<Dim>> divide(const Lattice<Dim>& lattice, const BodyRegion& region) {
+  std::vector<Portion<Dim>> portions, small;
+  Bounds site{Point(Dim), Point(Dim)};
+  for (std::int64_t k = 0; k < lattice.size(); ++k) {
+    lattice.get_site(k, site);
+    const SiteShare<Dim> part = region.share<Dim>(site);
+    if (part.share > 0) (part.share < smallest_share ? small : portions).push_back({k, part});
+  }
+  hand_over(lattice, std::move(small), portions);
+  return portions;
 }
 
 /// Uniform in [-1, 1), the same on every platform (std::uniform_real_distribution is not).
@@ -83,11 +138,30 @@ double symmetric_random(std::mt19937_64& generator) {
   return 2 * (static_cast<double>(generator() >> 11) * scale) - 1;
 }
 
+/// Moves particles at random. One that would leave its site or its body, as that of a cut site may, is moved by a half,
+/// a quarter, ... of that, or not at all.
 template <int Dim>
-void add_particle(Body<Dim>& body, const Point& x, double volume) {
-  body.id.push_back(static_cast<std::uint32_t>(body.id.size()));
-  body.J.push_back(volume);
-  for (int a = 0; a < Dim; ++a) body.x[a].push_back(x[a]);
+void jitter(const Lattice<Dim>& lattice, const BodyRegion& region, const BodySpec& spec,
+            std::vector<Portion<Dim>>& portions) {
+  constexpr int halvings = 5;
+  std::mt19937_64 generator(spec.jitter_seed);
+  Bounds site{Point(Dim), Point(Dim)};
+  for (Portion<Dim>& portion : portions) {
+    std::array<double, Dim> offset;
+    for (double& c : offset) c = spec.jitter * lattice.width() * symmetric_random(generator);
+    auto& at = portion.part.centroid;
+    Point x(Dim);
+    for (int a = 0; a < Dim; ++a) x[a] = at[a] + offset[a];
+    if (portion.part.share != 1) {
+      lattice.get_site(portion.site, site);
+      const BoxShape box{site.lower, site.upper};
+      int halved = 0;
+      for (; halved < halvings && !(contains(box, x) && region.holds(x)); ++halved)
+        for (int a = 0; a < Dim; ++a) x[a] = at[a] + (offset[a] /= 2);
+      if (halved == halvings) continue;
+    }
+    std::copy(x.begin(), x.end(), at.begin());
+  }
 }
 
 template <int Dim>
@@ -103,34 +177,35 @@ void number_layers(Body<Dim>& body, int layers) {
 
 }  // namespace
 
+bool has_particles(const Scene& scene, const BodySpec& spec) {
+  const Lattice<2> lattice(scene, spec);
+  const BodyRegion region(scene, spec);
+  Bounds site{Point(2), Point(2)};
+  for (std::int64_t k = 0; k < lattice.size(); ++k) {
+    lattice.get_site(k, site);
+    if (region.share<2>(site).share >= smallest_share) return true;
+  }
+  return false;
+}
+
 template <int Dim>
 void fill_particles(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
   const BodyRegion region(scene, spec);
-  const double width = scene.grid.spacing / spec.particles_per_cell_axis;
-  const double site_volume = std::pow(width, Dim);
-  std::mt19937_64 generator(spec.jitter_seed);
-  std::array<int, Dim> first, count;
-  int total = 1;
-  const Bounds box = bounds(spec.shape);
-  for (int a = 0; a < Dim; ++a) {
-    const double low = std::max(box.lower[a], scene.grid.lower[a]), high = std::min(box.upper[a], scene.grid.upper[a]);
-    first[a] = static_cast<int>(std::floor((low - scene.grid.lower[a]) / width + 1e-9));
-    count[a] = static_cast<int>(std::ceil((high - scene.grid.lower[a]) / width - 1e-9)) - first[a];
-    total *= std::max(0, count[a]);
-  }
-  Point centre(Dim);
-  for (int site = 0; site < total; ++site) {
-    for (int a = 0, rest = site; a < Dim; rest /= count[a], ++a)
-      centre[a] = scene.grid.lower[a] + (first[a] + rest % count[a] + 0.5) * width;
-    SiteShare part = share_of_site<Dim>(region, centre, width);
-    if (part.share < smallest_share) continue;
-    if (spec.jitter > 0)
-      for (double& c : part.centroid) c += spec.jitter * width * symmetric_random(generator);
-    add_particle(body, part.centroid, part.share * site_volume);
-  }
-  if (body.J.empty())
+  const Lattice<Dim> lattice(scene, spec);
+  std::vector<Portion<Dim>> portions = divide(lattice, region);
+  if (portions.empty())
     throw SceneError(scene.file, {{spec.at, "bodies." + spec.name + ".shape", "a shape without particles",
-                                   "a shape wider than a particle spacing"}});
+                                   "a shape that fills 2 % of a particle's site somewhere"}});
+  if (spec.jitter > 0) jitter(lattice, region, spec, portions);
+  const std::size_t n = portions.size();
+  body.id.resize(n);
+  std::iota(body.id.begin(), body.id.end(), 0u);
+  body.J.resize(n);
+  for (auto& component : body.x) component.resize(n);
+  for (std::size_t p = 0; p < n; ++p) {
+    body.J[p] = portions[p].part.share * lattice.site_volume();
+    for (int a = 0; a < Dim; ++a) body.x[a][p] = portions[p].part.centroid[a];
+  }
   number_layers(body, spec.layers);
 }
 

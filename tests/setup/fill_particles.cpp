@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 #include <geodrop/error.hpp>
 #include <geodrop/pipeline.hpp>
+#include <geodrop/shapes.hpp>
 
 #include <numbers>
+#include <random>
 
 #include "support/scene_files.hpp"
 
@@ -144,4 +146,86 @@ TEST_CASE("A shape too thin for a particle is an error of the scene") {
   Scene scene = basin_scene();
   scene.bodies[1].shape = BoxShape{{0.001, 1}, {0.0011, 2}};
   CHECK_THROWS_AS(build_state<2>(scene), SceneError);
+}
+
+namespace {
+
+/// The particles of one body of water alone in the basin.
+Body<2> alone(const Shape& shape, double jitter = 0) {
+  Scene scene = basin_scene();
+  scene.bodies.resize(1);
+  BodySpec& water = scene.bodies[0];
+  water.minus.clear();
+  water.shape = shape;
+  water.jitter = jitter;
+  return build_state<2>(scene).bodies[0];
+}
+
+}  // namespace
+
+TEST_CASE("Boxes and polygons have their area and centre to rounding, wherever their edges lie in the lattice") {
+  for (const double top : {1.0, 1.001, 1.002, 1.0026, 1.01, 1.015, 1.11, 1.1249}) {
+    for (const double left : {-1.0, -1.003, -1.07}) {
+      CAPTURE(top);
+      CAPTURE(left);
+      const Moments m = moments(alone(BoxShape{{left, 0}, {1, top}}));
+      CHECK(m.area == doctest::Approx((1 - left) * top).epsilon(1e-9));
+      CHECK(m.x == doctest::Approx((1 + left) / 2).epsilon(1e-9));
+      CHECK(m.y == doctest::Approx(top / 2).epsilon(1e-9));
+    }
+  }
+  // A wedge whose tip is thinner than 2 % of a site over more than two sites.
+  const Moments wedge = moments(alone(PolygonShape{{{-2, 1.01}, {1, 1.01}, {1, 1.04}}}));
+  CHECK(wedge.area == doctest::Approx(3 * 0.03 / 2).epsilon(1e-9));
+  CHECK(wedge.x == doctest::Approx(0).epsilon(1e-9));
+  CHECK(wedge.y == doctest::Approx(1.02).epsilon(1e-9));
+  const Moments slope =
+      moments(alone(HalfPlaneShape{{0, 3}, {0.01, 1}}));  // 3 m deep at x = 0, the centre of the basin
+  CHECK(slope.area == doctest::Approx(24).epsilon(1e-9));
+  const Moments notched = moments(alone(PolygonShape{{{-2, 1}, {2, 1}, {2, 5}, {0, 2}, {-2, 5}}}));
+  CHECK(notched.area == doctest::Approx(10).epsilon(1e-9));
+}
+
+TEST_CASE("A strip of a tenth of a particle spacing is no void") {
+  const Body<2> strip = alone(BoxShape{{-1, 1}, {1, 1.0125}});
+  CHECK(strip.size() == 16);
+  CHECK(moments(strip).area == doctest::Approx(2 * 0.0125).epsilon(1e-9));
+}
+
+TEST_CASE("What is cut out of a body is what the other has: the two fill the basin") {
+  for (const double tilt : {0.0, 12.0, 45.0, 90.0}) {
+    CAPTURE(tilt);
+    const State<2> state = build_state<2>(basin_scene(tilt));
+    const double bag = moments(state.bodies[1]).area, water = moments(state.bodies[0]).area;
+    CHECK(bag == doctest::Approx(std::numbers::pi * 0.77 * 1.9).epsilon(1e-4));
+    CHECK(bag + water == doctest::Approx(48).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("Jitter leaves the particles of cut sites in their body") {
+  const PolygonShape triangle{{{-2, 1}, {2, 1.1}, {0.3, 4}}};
+  const BoxShape film{{-2, 1.01}, {2, 1.03}};
+  const HalfPlaneShape slope{{0, 3}, {1, 3}};
+  for (const Shape& shape : {Shape{triangle}, Shape{film}, Shape{slope}}) {
+    const Body<2> still = alone(shape), moved = alone(shape, 0.5);
+    CAPTURE(shape.index());
+    REQUIRE(moved.size() == still.size());
+    std::size_t outside = 0, unmoved = 0;
+    for (std::size_t p = 0; p < moved.size(); ++p) {
+      const double x = moved.x[0][p], y = moved.x[1][p];
+      if (!contains(shape, {x, y}) || std::abs(x) > 4 || y < 0) ++outside;
+      if (x == still.x[0][p] && y == still.x[1][p]) ++unmoved;
+      CHECK(moved.volume(p) == still.volume(p));
+    }
+    CHECK(outside == 0);
+    CHECK(unmoved < moved.size() / 10);
+  }
+}
+
+TEST_CASE("Jitter of whole sites is the plain random offset, also beside cut sites") {
+  const Body<2> still = alone(BoxShape{{-4, 0}, {4, 6.01}}), moved = alone(BoxShape{{-4, 0}, {4, 6.01}}, 0.5);
+  std::mt19937_64 generator(0);
+  const auto next = [&] { return 2 * (static_cast<double>(generator() >> 11) / (1ULL << 53)) - 1; };
+  for (std::size_t p = 0; p < 64 * 47; ++p)  // rows under the one at the surface
+    for (int a = 0; a < 2; ++a) CHECK(moved.x[a][p] == doctest::Approx(still.x[a][p] + 0.5 * 0.125 * next()));
 }
