@@ -1,6 +1,8 @@
 // Checks of where bodies are: sound shapes, inside the domain, not empty, no two on the same place.
 #include "check_scene.hpp"
 
+#include "../setup/fill_particles.hpp"
+
 #include <geodrop/shapes.hpp>
 
 #include <algorithm>
@@ -105,7 +107,7 @@ class PlacementCheck {
   void run() {
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       if (!is_ready(i)) continue;
-      if (!check_inside(i) || !check_not_empty(i)) continue;
+      if (!check_inside(i) || !check_not_empty(i) || !check_particles(i)) continue;
       for (std::size_t j = 0; j < i; ++j) {
         if (is_ready(j)) check_overlap(i, j);
       }
@@ -155,6 +157,19 @@ class PlacementCheck {
       report_.add(key(i) + ".shape", "a body of which nothing is left",
                   "a shape that has area inside the grid and outside the bodies in minus");
     return found;
+  }
+
+  bool check_particles(std::size_t i) {
+    const auto& cuts = body(i).minus;
+    const bool ready = report_.healthy(key(i)) && std::all_of(cuts.begin(), cuts.end(), [&](const std::string& name) {
+                         const BodySpec* cut = find_body(scene_, name);
+                         return cut && shape_is_sound(cut->shape);
+                       });
+    if (!ready || has_particles(scene_, body(i))) return true;
+    report_.add(key(i) + ".shape", "a shape without particles",
+                "a shape that fills 2 % of a particle's site somewhere; sites are " +
+                    to_text(h_ / body(i).particles_per_cell_axis) + " m wide");
+    return false;
   }
 
   void check_overlap(std::size_t i, std::size_t j) {
