@@ -52,4 +52,8 @@ double kinematic_viscosity(const Material& material);
 /// Skempton's B of an undrained soil, (K_f/n) / (K_f/n + K'); 0 if drained.
 double skempton_b(const MohrCoulomb& soil);
 
+/// Pressure [Pa] of the still, weakly compressible fluid at `depth` [m] below its surface: K (exp(rho0 g d / K) - 1),
+/// 0 above the surface. `gravity` [m/s2] is positive downwards.
+double still_pressure(const Newtonian& fluid, double gravity, double depth);
+
 }  // namespace geodrop

@@ -17,10 +17,6 @@ inline constexpr int vertical_axis = Dim - 1;
 template <int Dim>
 std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, std::size_t p);
 
-/// Pressure [Pa] of the still, weakly compressible fluid at `depth` [m] below its surface: K (exp(rho0 g d / K) - 1),
-/// 0 above the surface. `gravity` [m/s2] is positive downwards.
-double still_pressure(const Newtonian& fluid, double gravity, double depth);
-
 /// Where a body is, how it moves, and its mean stress near its centre. NaN where no particle is near the centre.
 template <int Dim>
 struct BodyMeasures {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <geodrop/grid.hpp>
+#include <geodrop/output.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 #include <string>
@@ -40,6 +41,11 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
 /// Runs one step of all stages and advances the clock.
 template <int Dim>
 void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid);
+
+/// What is worth knowing of a state before the next step: sizes, memory, time step, Skempton's B, density rise of
+/// fluids.
+template <int Dim>
+std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state);
 
 /// Particles, membranes and tracers of the scene at t = 0, with their initial stress.
 template <int Dim>

@@ -13,7 +13,7 @@ namespace geodrop {
 /// (the last frame is kept) or, with `verify`, an expectation not met, 75 stopped with a checkpoint.
 int run_scene(const Scene& scene, const RunOptions& options, bool verify);
 
-/// What is worth knowing before the first step: sizes, time step, Skempton's B, density rise of fluids.
+/// The facts of the scene's first state, see state_facts.
 std::vector<Fact> scene_facts(const Scene& scene);
 
 /// The stages that the scene needs, one line each: name and what it reads and writes.

@@ -3,6 +3,8 @@
 
 #include "neighbourhood.hpp"
 
+#include <atomic>
+
 namespace geodrop {
 namespace {
 
@@ -90,14 +92,17 @@ void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
 /// A cell is shiftable where its whole neighbourhood is filled.
 template <int Dim>
 void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
+  // Neighbours in other blocks read the filled bit while this thread sets the shiftable bit of the same byte.
+  constexpr auto relaxed = std::memory_order_relaxed;
+  const auto flag = [&](int cell) { return std::atomic_ref<std::uint8_t>(grid.cell_flags[cell]); };
   for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> cell) {
     const bool interior = far_from_walls<Dim>(grid.layout, count, cell);
     for (int k = 0; k < count; ++k, ++cell[0]) {
       bool full = true;
       for_neighbourhood(grid.layout, begin + k, [&](int other, const std::array<int, Dim>& a) {
-        full = full && (grid.cell_flags[interior ? other : mirrored<Dim>(grid.layout, cell, a)] & cell_filled);
+        full = full && (flag(interior ? other : mirrored<Dim>(grid.layout, cell, a)).load(relaxed) & cell_filled);
       });
-      if (full) grid.cell_flags[begin + k] |= cell_shiftable;
+      if (full) flag(begin + k).store(cell_filled | cell_shiftable, relaxed);
     }
   });
   block_shift_near_membranes(state, grid);

@@ -87,8 +87,9 @@ constexpr double light_share = 0.02;
 
 double lightest_density(const Scene& scene) {
   double density = std::numeric_limits<double>::infinity();
-  for (const MaterialSpec& material : scene.materials)
-    density = std::min(density, reference_density(make_material(material)));
+  for (const BodySpec& body : scene.bodies)
+    for (const MaterialSpec& material : scene.materials)
+      if (material.name == body.material) density = std::min(density, reference_density(make_material(material)));
   return density;
 }
 

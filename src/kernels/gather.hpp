@@ -148,6 +148,7 @@ void shift_chunk(Body<Dim>& body, const ChunkRates<Dim>& rates, double h, double
 struct Maxima {
   double speed2 = 0;
   double displacement = 0;
+  bool outside = false;  ///< a particle is not a point of the domain
 };
 
 /// Keeps particles on the domain's side of walls that round-off carried them across (anything larger is reported by
@@ -158,22 +159,25 @@ void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (
   const double round_off = 1e-9 * layout.h;
   alignas(64) double speed2[chunk_size] = {};
   double displacement = maxima.displacement;
+  int outside = 0;
   for (int a = 0; a < Dim; ++a) {
     double* const x = body.x[a].data() + p;
     const double* const v = body.v[a].data() + p;
     const double lower = layout.lower[a], upper = layout.upper[a];
-#pragma omp simd reduction(max : displacement)
+#pragma omp simd reduction(max : displacement) reduction(| : outside)
     for (int k = 0; k < count; ++k) {
       double moved = x[k];
       moved = moved < lower && moved > lower - round_off ? lower : moved;
       moved = moved > upper && moved < upper + round_off ? upper : moved;
       x[k] = moved;
+      outside |= !(moved >= lower && moved <= upper);
       const double distance = __builtin_fabs(moved - old_x[a][k]);
       displacement = distance > displacement ? distance : displacement;
       speed2[k] += v[k] * v[k];
     }
   }
   maxima.displacement = displacement;
+  maxima.outside = maxima.outside || outside != 0;
   double largest = 0;
   int broken = 0;
 #pragma omp simd reduction(max : largest) reduction(| : broken)

@@ -1,6 +1,7 @@
 #include "transfer_stages.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "../grid/blocks.hpp"
 #include "kernels.hpp"
@@ -90,7 +91,8 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& g
       const std::size_t begin = task * share, end = std::min(body.size(), begin + share);
       const Maxima maxima = gather<Dim>(body, grid, options, begin, end);
       grid.chunk_maxima[2 * task] = std::sqrt(maxima.speed2);
-      grid.chunk_maxima[2 * task + 1] = maxima.displacement;
+      // A particle outside makes the next sort due, which then names it.
+      grid.chunk_maxima[2 * task + 1] = maxima.outside ? std::numeric_limits<double>::infinity() : maxima.displacement;
     }
     for (std::ptrdiff_t task = 0; task < tasks; ++task) {
       const double speed = grid.chunk_maxima[2 * task];

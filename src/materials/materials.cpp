@@ -71,4 +71,9 @@ double kinematic_viscosity(const Material& material) {
 
 double skempton_b(const MohrCoulomb& soil) { return soil.pore_stiffness / (soil.pore_stiffness + soil.bulk_modulus); }
 
+double still_pressure(const Newtonian& fluid, double gravity, double depth) {
+  if (depth <= 0) return 0;
+  return fluid.bulk_modulus * std::expm1(fluid.density * gravity * depth / fluid.bulk_modulus);
+}
+
 }  // namespace geodrop

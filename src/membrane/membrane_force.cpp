@@ -1,7 +1,10 @@
 #include "membrane_force.hpp"
 
+#include <geodrop/error.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "../kernels/chunk.hpp"
 
@@ -36,7 +39,7 @@ void for_box(const Membrane<Dim>& membrane, std::size_t s, F&& f) {
   const std::ptrdiff_t low = membrane.closed ? centre - w : std::max<std::ptrdiff_t>(0, centre - w);
   const std::ptrdiff_t high = membrane.closed ? centre + w : std::min(n - 1, centre + w);
   const double weight = 1.0 / static_cast<double>(high - low + 1);
-  for (std::ptrdiff_t k = low; k <= high; ++k) f(static_cast<std::size_t>((k + n) % n), weight);
+  for (std::ptrdiff_t k = low; k <= high; ++k) f(static_cast<std::size_t>(((k % n) + n) % n), weight);
 }
 
 /// Weights of the nine (27) nodes around a point, and the flat index of the lowest.
@@ -63,6 +66,18 @@ struct PointSupport {
         }
   }
 };
+
+/// What moves with the grid must stay on it.
+template <int Dim>
+void check_on_grid(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, const char* kind,
+                   const std::string& name) {
+  for (int a = 0; a < Dim; ++a) {
+    if (x[a] >= layout.lower[a] && x[a] <= layout.upper[a]) continue;
+    std::ostringstream text;
+    text << kind << " '" << name << "' left the domain or is not finite (coordinate " << a << " = " << x[a] << ")";
+    throw RunError(text.str());
+  }
+}
 
 template <int Dim>
 Vec4 interpolate(const GridLayout<Dim>& layout, const PointSupport<Dim>& support, const Array<Vec4>& field) {
@@ -125,7 +140,9 @@ std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
   for (auto& component : force) component.assign(membrane.nodes(), 0.0);
   for (std::size_t r = 0; r < membrane.segments(); ++r) {
     const auto d = segment_vector(membrane, r);
-    const double scale = pull[r] / (membrane.rest_length[r] * length(d));
+    const double now = length(d);
+    const double scale =
+        now > 0 ? pull[r] / (membrane.rest_length[r] * now) : 0.0;  // two nodes in one place: no direction
     for (int a = 0; a < Dim; ++a) {
       force[a][r] += scale * d[a];
       force[a][end_node(membrane, r)] -= scale * d[a];
@@ -158,6 +175,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
         membrane.x[a][k] += dt * v[a];
         displacement = std::max(displacement, std::abs(dt * v[a]));
       }
+      check_on_grid<Dim>(grid.layout, node_position(membrane, k), "a node of membrane", membrane.name);
     }
   state.drift += displacement;
 }
@@ -170,6 +188,7 @@ void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
       tracer.v[a] = v[a];
       tracer.x[a] += dt * v[a];
     }
+    check_on_grid<Dim>(grid.layout, tracer.x, "tracer", tracer.name);
   }
 }
 

@@ -137,11 +137,6 @@ std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, s
   return stress;
 }
 
-double still_pressure(const Newtonian& fluid, double gravity, double depth) {
-  if (depth <= 0) return 0;
-  return fluid.bulk_modulus * std::expm1(fluid.density * gravity * depth / fluid.bulk_modulus);
-}
-
 double percentile(std::vector<double> values, double percent) {
   if (values.empty()) return not_there;
   std::sort(values.begin(), values.end());

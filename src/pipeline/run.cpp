@@ -27,6 +27,7 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   const std::uint64_t first_step = state.step;
   const auto start = std::chrono::steady_clock::now();
   try {
+    statistics.facts = state_facts(scene, state);
     while (state.t < end && !stop_requested()) {
       advance(scene, pipeline, state, grid);
       write_due_output(output, state);
@@ -51,8 +52,11 @@ int exit_code(RunStatus status, bool expectations_met, bool verify) {
 
 template <int Dim>
 int run_in(const Scene& scene, const RunOptions& options, bool verify) {
+  // The state comes first: a scene that cannot be built must not touch an earlier run's directory.
+  State<Dim> state;
+  if (!options.resume) state = build_state<Dim>(scene);
   Output<Dim> output(scene, options);
-  State<Dim> state = options.resume ? output.resume() : build_state<Dim>(scene);
+  if (options.resume) state = output.resume();
   Grid<Dim> grid = make_grid<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   catch_stop_signals();
@@ -60,7 +64,6 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
 
   const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
   RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
-  statistics.facts = scene_facts(scene);
   // A run that ends before its scene does, by signal or by --until, can go on later.
   const bool unfinished =
       statistics.status == RunStatus::stopped || (statistics.status == RunStatus::done && end < scene.time.end);

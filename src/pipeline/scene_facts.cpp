@@ -35,8 +35,19 @@ double density_rise(const Body<Dim>& body) {
 }
 
 template <int Dim>
-std::vector<Fact> facts_in(const Scene& scene) {
-  const State<Dim> state = build_state<Dim>(scene);
+std::string stages_in(const Scene& scene) {
+  std::ostringstream text;
+  for (const Stage<Dim>& stage : build_pipeline<Dim>(scene)) {
+    text << stage.name << std::string(20 - std::min<std::size_t>(19, stage.name.size()), ' ') << stage.reads_writes
+         << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state) {
   std::vector<Fact> facts;
   double particles = 0, memory = 0;
   for (const Body<Dim>& body : state.bodies) {
@@ -58,20 +69,11 @@ std::vector<Fact> facts_in(const Scene& scene) {
   return facts;
 }
 
-template <int Dim>
-std::string stages_in(const Scene& scene) {
-  std::ostringstream text;
-  for (const Stage<Dim>& stage : build_pipeline<Dim>(scene)) {
-    text << stage.name << std::string(20 - std::min<std::size_t>(19, stage.name.size()), ' ') << stage.reads_writes
-         << '\n';
-  }
-  return text.str();
-}
-
-}  // namespace
+template std::vector<Fact> state_facts<2>(const Scene&, const State<2>&);
+template std::vector<Fact> state_facts<3>(const Scene&, const State<3>&);
 
 std::vector<Fact> scene_facts(const Scene& scene) {
-  return scene.dimension == 2 ? facts_in<2>(scene) : facts_in<3>(scene);
+  return scene.dimension == 2 ? state_facts(scene, build_state<2>(scene)) : state_facts(scene, build_state<3>(scene));
 }
 
 std::string stages_text(const Scene& scene) { return scene.dimension == 2 ? stages_in<2>(scene) : stages_in<3>(scene); }

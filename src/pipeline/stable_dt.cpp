@@ -46,8 +46,9 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
   constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
   if (dt < smallest_share * scene.time.end) {
     std::ostringstream text;
-    text << "the time step collapsed to " << dt << " s at step " << state.step << ", t = " << state.t
-         << " s (|v|max = " << state.v_max << " m/s)";
+    text << "the time step collapsed: at " << dt
+         << " s more than 1e12 steps are needed to time.end = " << scene.time.end << " s (step " << state.step
+         << ", t = " << state.t << " s, |v|max = " << state.v_max << " m/s)";
     throw RunError(text.str());
   }
   return dt;

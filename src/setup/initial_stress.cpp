@@ -25,11 +25,12 @@ StressAt stress_at(const Scene& scene, const InitialStress& initial, double dens
   } else if (const auto* bag = std::get_if<FluidPressureSpec>(&initial)) {
     out.fluid_pressure = still_fluid_pressure(scene, bag->fluid, y);
   } else if (const auto* soil = std::get_if<K0StressSpec>(&initial)) {
-    const double g = -scene.gravity[1], depth = std::max(0.0, soil->surface - y);
+    const double g = -scene.gravity[scene.dimension - 1], depth = std::max(0.0, soil->surface - y);
     double buoyancy = 0;
     if (soil->fluid) {
-      // Below the bed the pores carry the fluid on at the density that it has there, so that total stress balances
-      // weight.
+      // Below the soil's surface the pressure goes on from there at the fluid's density at zero pressure; with the
+      // soil's own weight as total stress the effective stress is that of the buoyant soil, whatever the fluid's
+      // compression.
       const double at_surface = still_fluid_pressure(scene, *soil->fluid, soil->surface);
       const NewtonianSpec& fluid = fluid_of(scene, soil->fluid->fluid);
       buoyancy = fluid.density;
@@ -56,7 +57,7 @@ void set_solid(double density, const StressAt& at, Body<Dim>& body, std::size_t 
   const bool pores = !body.pore_pressure.empty();
   const double carried = pores ? 0.0 : at.fluid_pressure;
   for (int c = 0; c < 3; ++c) body.stress[c][p] = at.horizontal - carried;
-  body.stress[1][p] = at.vertical - carried;
+  body.stress[Dim - 1][p] = at.vertical - carried;
   if (pores) body.pore_pressure[p] = at.fluid_pressure;
 }
 
@@ -64,15 +65,15 @@ void set_solid(double density, const StressAt& at, Body<Dim>& body, std::size_t 
 
 double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
   const NewtonianSpec& fluid = fluid_of(scene, still.fluid);
-  const double depth = std::max(0.0, still.surface - y), g = -scene.gravity[1];
-  return fluid.bulk_modulus * std::expm1(fluid.density * g * depth / fluid.bulk_modulus);
+  return still_pressure({fluid.density, fluid.bulk_modulus, fluid.viscosity}, -scene.gravity[scene.dimension - 1],
+                        still.surface - y);
 }
 
 template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
   const double density = reference_density(body.material);
   for (std::size_t p = 0; p < body.size(); ++p) {
-    const StressAt at = stress_at(scene, spec.initial_stress, density, body.x[1][p]);
+    const StressAt at = stress_at(scene, spec.initial_stress, density, body.x[Dim - 1][p]);
     if (const auto* water = std::get_if<Newtonian>(&body.material))
       set_fluid(*water, at, body, p);
     else
