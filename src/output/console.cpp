@@ -28,12 +28,16 @@ std::string clock_time(double seconds) {
   return text.data();
 }
 
+std::FILE* open_log(const std::filesystem::path& path, LogMode mode) {
+  std::FILE* file = std::fopen(path.c_str(), mode == LogMode::begin ? "w" : "a");
+  if (!file) throw RunError("cannot write " + path.string() + ": " + std::strerror(errno));
+  return file;
+}
+
 }  // namespace
 
 Console::Console(const std::filesystem::path& log, LogMode mode)
-    : log_(std::fopen(log.c_str(), mode == LogMode::begin ? "w" : "a")), is_terminal_(isatty(STDOUT_FILENO) == 1) {
-  if (!log_) throw RunError("cannot write " + log.string() + ": " + std::strerror(errno));
-}
+    : log_(open_log(log, mode)), is_terminal_(isatty(STDOUT_FILENO) == 1) {}
 
 void Console::print(const std::string& text) {
   clear_progress();

@@ -226,6 +226,12 @@ TEST_CASE("a run that fails because frames cannot be written still ends with a s
   CHECK(contains(read_file(directory / "run/summary.json"), "\"status\": \"failed\",\n  \"message\": \"no space\""));
 }
 
+TEST_CASE("a log that cannot be written is refused with the system's reason") {
+  const TemporaryDirectory directory;
+  CHECK_THROWS_WITH_AS(Console(directory / "missing/run.log", LogMode::begin), doctest::Contains("No such file"),
+                       RunError);
+}
+
 TEST_CASE("the table of stages") {
   CHECK(stage_table({{"sort", 1}, {"gather", 3}}, 1e9) ==
         "stage       seconds  percent  ns per particle-step\n"
