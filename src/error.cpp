@@ -9,7 +9,7 @@ std::string describe(const std::string& file, const SceneProblem& problem) {
   std::string text = file;
   if (problem.at.line > 0) {
     text += ":" + std::to_string(problem.at.line) + ":" + std::to_string(problem.at.column);
-  } else if (!problem.key.empty()) {
+  } else if (problem.source == ProblemSource::scene && !problem.key.empty()) {
     text += ": --set";
   }
   if (!problem.key.empty()) text += ": " + problem.key;

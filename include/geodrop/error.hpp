@@ -7,12 +7,17 @@
 
 namespace geodrop {
 
-/// Where something stands in the scene file; line 0 means "not from a file" (a --set override).
+/// Where something stands in the scene file; line 0 means "not from the file": a --set override,
+/// or no place at all if the problem's source is elsewhere.
 struct SourceRef {
   int line = 0;
   int column = 0;
   bool operator==(const SourceRef&) const = default;
 };
+
+/// What a mistake is about: the scene, which consists of its file and of the overrides by --set, or anything else, such
+/// as a checkpoint or a directory.
+enum class ProblemSource { scene, elsewhere };
 
 /// One mistake of the user: where, which key, what was found, what is allowed.
 struct SceneProblem {
@@ -20,6 +25,7 @@ struct SceneProblem {
   std::string key;      ///< full key, e.g. "materials.water.density"
   std::string found;    ///< what was found, e.g. "-1000"
   std::string allowed;  ///< what is allowed, e.g. "a density > 0 [kg/m3]"
+  ProblemSource source = ProblemSource::scene;
 };
 
 /// The user's input is wrong; carries every problem that was found. Exit code 2.

@@ -82,7 +82,7 @@ void walk_record(Archive& archive, Record& record) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& found, const std::string& allowed) {
-  throw SceneError(path.string(), {{{}, "--resume", found, allowed}});
+  throw SceneError(path.string(), {{{}, "--resume", found, allowed, ProblemSource::elsewhere}});
 }
 
 /// Hash of the first `length` bytes of a file.

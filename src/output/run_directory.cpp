@@ -55,7 +55,8 @@ fs::path choose_directory(const Scene& scene, const fs::path& asked_for) {
 
 void check_replaceable(const fs::path& directory) {
   const auto refuse = [&](const std::string& found) {
-    throw SceneError(directory.string(), {{{}, "--output", found, "a new directory or one of an earlier run"}});
+    throw SceneError(directory.string(),
+                     {{{}, "--output", found, "a new directory or one of an earlier run", ProblemSource::elsewhere}});
   };
   if (!fs::exists(directory)) return;
   if (!fs::is_directory(directory)) refuse("a file");

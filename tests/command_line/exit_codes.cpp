@@ -44,7 +44,7 @@ TEST_CASE("A scene that is not there, or a key that does not exist, ends with 2 
   check_usage({"check", "no_such_scene.toml"}, "no_such_scene.toml");
   check_usage({"run", scene, "--output", output, "--set", "grid.spacin=0.5"}, "the nearest is \"spacing\"");
   check_usage({"run", scene, "--output", output, "--set", "grid.spacing=-1"}, "grid.spacing");
-  check_usage({"run", scene, "--output", output, "--resume"}, "checkpoint");
+  check_usage({"run", scene, "--output", output, "--resume"}, "checkpoint.bin: --resume: found no such file");
   CHECK_FALSE(std::filesystem::exists(output));
 }
 
@@ -53,6 +53,7 @@ TEST_CASE("A directory that holds other things than a run is not touched") {
   std::ofstream(directory / "letter.txt") << "dear reader";
   const Outcome outcome = run_program({"run", scene, "--output", directory / "", "--set", "time.end=0.1"});
   CHECK(outcome.code == 2);
+  CHECK(contains(outcome.err, ": --output: found a directory with other files in it"));
   CHECK(geodrop::read_file(directory / "letter.txt") == "dear reader");
   CHECK_FALSE(std::filesystem::exists(directory / "history.csv"));
 }
