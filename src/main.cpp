@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <new>
 
 namespace {
 
@@ -39,14 +40,25 @@ void add_scene(CLI::App& command, Arguments& arguments) {
       ->expected(1);
 }
 
-/// CLI::PositiveNumber would answer with a range up to 1.8e308, in full.
-CLI::Validator above_zero(const std::string& allowed) {
-  const auto complaint = [allowed](const std::string& text) {
-    double value = 0;
-    const bool good = CLI::detail::lexical_cast(text, value) && value > 0;
-    return good ? std::string() : "found " + text + "; allowed: " + allowed;
+/// CLI's own validators would answer with their whole range, up to 1.8e308.
+template <class Number, class Condition>
+CLI::Validator only_if(const Condition& good, const std::string& allowed) {
+  const auto complaint = [good, allowed](const std::string& text) {
+    Number value{};
+    const bool fits = CLI::detail::lexical_cast(text, value) && good(value);
+    return fits ? std::string() : "found " + text + "; allowed: " + allowed;
   };
-  return CLI::Validator(complaint, "> 0", "above_zero");
+  return CLI::Validator(complaint, "", "only_if");
+}
+
+CLI::Validator positive_time() {
+  return only_if<double>([](double t) { return t > 0; }, "a time > 0 [s]");
+}
+
+/// Far above what pays on any machine, far below what the system refuses, which would end the program without a word.
+CLI::Validator thread_count() {
+  constexpr int most = 1024;
+  return only_if<int>([](int n) { return n >= 1 && n <= most; }, "a whole number from 1 to " + std::to_string(most));
 }
 
 /// libgomp reads how long a waiting thread spins before the program can say so; hence one restart with the answer.
@@ -123,10 +135,10 @@ int main(int argc, char** argv) {
   auto* run_command = app.add_subcommand("run", "run a scene; writes a run directory");
   add_scene(*run_command, arguments);
   run_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(above_zero("a whole number of at least 1"));
+      ->check(thread_count());
   run_command->add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
   run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
-      ->check(above_zero("a time > 0 [s]"));
+      ->check(positive_time());
   run_command->add_flag("--resume", arguments.resume, "go on from the checkpoint in the run directory");
   run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
   auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
@@ -140,7 +152,7 @@ int main(int argc, char** argv) {
   auto* bench_command = app.add_subcommand("bench", "measure million particle-steps per second; writes bench.csv");
   bench_command->add_flag("--quick", arguments.quick, "1e5 instead of 1e6 particles");
   bench_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(above_zero("a whole number of at least 1"));
+      ->check(thread_count());
   bench_command->add_option("--output", arguments.output, "directory for bench.csv (default: runs/bench)");
   bench_command->add_option("--only", arguments.only, "only benchmarks whose name contains this");
 
@@ -159,6 +171,9 @@ int main(int argc, char** argv) {
     return exit_usage;
   } catch (const geodrop::RunError& error) {
     std::cerr << "geodrop: " << error.what() << '\n';
+    return 1;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "geodrop: not enough memory\n";
     return 1;
   } catch (const std::exception& error) {
     std::cerr << "geodrop: internal error: " << error.what() << '\n';

@@ -31,9 +31,12 @@ TEST_CASE("Mistakes of usage end with 2 and one message on stderr") {
   check_usage({"run"}, "scene is required");
   check_usage({"run", scene, "--speed"}, "--speed");
   check_usage({"run", scene, "--threads"}, "--threads");
-  check_usage({"run", scene, "--threads", "0"}, "--threads: found 0; allowed: a whole number of at least 1");
-  check_usage({"run", scene, "--threads", "-1"}, "found -1; allowed: a whole number of at least 1");
+  check_usage({"run", scene, "--threads", "0"}, "--threads: found 0; allowed: a whole number from 1 to 1024");
+  check_usage({"run", scene, "--threads", "-1"}, "found -1; allowed: a whole number from 1 to 1024");
   check_usage({"run", scene, "--threads", "two"}, "two");
+  check_usage({"run", scene, "--threads", "1.5"}, "found 1.5; allowed: a whole number from 1 to 1024");
+  check_usage({"run", scene, "--threads", "100000"}, "found 100000; allowed: a whole number from 1 to 1024");
+  check_usage({"bench", "--threads", "100000"}, "found 100000; allowed: a whole number from 1 to 1024");
   check_usage({"run", scene, "--until", "0"}, "--until: found 0; allowed: a time > 0 [s]");
 }
 
@@ -89,6 +92,23 @@ TEST_CASE("A broken run ends with 1, says why, and keeps its last frame") {
   const std::string last = run.summary().substr(run.summary().find("\"time_s\": ") + 10, 8);
   CHECK(contains(frames, last));  // a frame at the time of the break
 }
+
+#ifndef __SANITIZE_ADDRESS__  // which itself takes terabytes of addresses
+TEST_CASE("Too little memory: 1 and one message") {
+  const geodrop::TemporaryDirectory directory;
+  // 2e8 particles of some 130 bytes in at most 0.6 GB.
+  const std::string command = "ulimit -v 600000; exec '" GEODROP_PROGRAM "' run '" + scene +
+                              "' --threads 1 --set grid.spacing=0.0005 --output '" + (directory / "run").string() +
+                              "' 2>&1 >/dev/null";
+  std::string said;
+  FILE* program = popen(command.c_str(), "r");
+  for (int letter = fgetc(program); letter != EOF; letter = fgetc(program)) said += static_cast<char>(letter);
+  const int status = pclose(program);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 1);
+  CHECK(said == "geodrop: not enough memory\n");
+}
+#endif
 
 TEST_CASE("An expectation that is not met fails the run only with --verify") {
   const std::vector<std::string> settings{"time.end=0.2", "results.velocity_rms_m_s.from=0", "expect.1.tolerance=0",
