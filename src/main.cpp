@@ -5,6 +5,8 @@
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
+#include "output/shell_command.hpp"
+
 #include <omp.h>
 #include <CLI/CLI.hpp>
 
@@ -31,6 +33,7 @@ struct Arguments {
   bool verify = false;
   bool quick = false;
   std::string only;
+  std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
 void add_scene(CLI::App& command, Arguments& arguments) {
@@ -38,6 +41,13 @@ void add_scene(CLI::App& command, Arguments& arguments) {
   command.add_option("--set", arguments.overrides, "override a key of the scene, e.g. --set grid.spacing=0.125")
       ->take_all()
       ->expected(1);
+}
+
+/// The wrapper script says under which name it was called.
+std::vector<std::string> typed_command(int argc, char** argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  if (const char* wrapper = std::getenv("GEODROP_WRAPPER"); wrapper && !words.empty()) words.front() = wrapper;
+  return words;
 }
 
 /// CLI's own validators would answer with their whole range, up to 1.8e308.
@@ -85,6 +95,7 @@ int run(const Arguments& arguments) {
   options.threads = choose_threads(arguments.threads);
   options.resume = arguments.resume;
   options.end = arguments.until;
+  options.resume_command = geodrop::resume_command(arguments.command);
   omp_set_num_threads(options.threads);
   return geodrop::run_scene(geodrop::read_scene(arguments.scene, arguments.overrides), options, arguments.verify);
 }
@@ -131,6 +142,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("geodrop ") + GEODROP_VERSION);
   app.require_subcommand(0, 1);  // none is reported below, after what was not understood
   Arguments arguments;
+  arguments.command = typed_command(argc, argv);
 
   auto* run_command = app.add_subcommand("run", "run a scene; writes a run directory");
   add_scene(*run_command, arguments);

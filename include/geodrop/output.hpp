@@ -33,7 +33,7 @@ struct RunOptions {
   int threads = 1;
   bool resume = false;
   double end = 0;              ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
-  std::string resume_command;  ///< shown when the run was stopped; empty: made from scene file and directory
+  std::string resume_command;  ///< how to go on, shown when the run was stopped
 };
 
 /// How a run ended.

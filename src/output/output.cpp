@@ -243,11 +243,7 @@ void Output<Dim>::print_end(Frame<Dim> frame, const RunStatistics& statistics, c
       format_duration(statistics.wall_seconds) + ", state " + summary.state_hash + ", files in " +
       directory().string());
   if (!statistics.message.empty()) log(statistics.message);
-  const std::string& command = parts_->options.resume_command;
-  if (statistics.status == RunStatus::stopped)
-    log("go on with: " + (command.empty()
-                              ? "geodrop run " + parts_->scene.file + " --output " + directory().string() + " --resume"
-                              : command));
+  if (statistics.status == RunStatus::stopped) log("go on with: " + parts_->options.resume_command);
   if (statistics.status == RunStatus::done && !summary.results.empty())
     log("\n" + results_table(summary.results, summary.expectations));
 }

@@ -124,13 +124,15 @@ TEST_CASE("a stopped and resumed run leaves the rows and the hash of an uninterr
   const Scene scene = scene_with_results();
   const Summary whole = run_whole(scene, directory / "whole");
   {
-    Output<2> output(scene, options_for(directory / "halved"));
+    RunOptions options = options_for(directory / "halved");
+    options.resume_command = "geodrop run cases/small.toml --resume";
+    Output<2> output(scene, options);
     State<2> state = small_state();
     output.start(Frame<2>(state));
     step_until(output, state, 0.625);
     output.checkpoint(Frame<2>(state));
     output.finish(Frame<2>(state), statistics_of(RunStatus::stopped));
-    CHECK(contains(read_file(directory / "halved/run.log"), "go on with: geodrop run cases/small.toml --output"));
+    CHECK(contains(read_file(directory / "halved/run.log"), "\ngo on with: geodrop run cases/small.toml --resume\n"));
     CHECK(contains(read_file(directory / "halved/summary.json"), "\"status\": \"stopped\""));
     step_until(output, state, 0.875);  // and a crash: these rows and frames are not in the checkpoint
     output.write_frame(Frame<2>(state));
