@@ -67,7 +67,9 @@ std::size_t prepare_directory(const fs::path& directory) {
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw RunError("cannot make the directory " + directory.string() + ": " + error.message());
-  return remove_files(directory, [](const std::string& name) {
+  return remove_files(directory, [](std::string name) {
+    constexpr std::string_view unfinished = ".part";  // of a run that was killed while it wrote
+    if (name.ends_with(unfinished)) name.resize(name.size() - unfinished.size());
     return frame_number(name) || std::find(run_files.begin(), run_files.end(), name) != run_files.end();
   });
 }

@@ -27,6 +27,7 @@
 #include <cstdio>
 #include <cstring>
 #include <geodrop/error.hpp>
+#include <system_error>
 
 #include "atomic_file.hpp"
 
@@ -91,8 +92,9 @@ std::string describe(unsigned long code, const std::string& reported) {
   return "VTK error " + std::to_string(code) + " " + reported;
 }
 
-/// VTK reports a failed write by a code, and by events that it prints on stderr unless somebody listens.
-void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::path& path, Compression compression) {
+/// Empty if it was written. VTK reports a failed write by a code, and by events that it prints on stderr unless
+/// somebody listens.
+std::string try_to_write(vtkXMLWriter* writer, vtkDataObject* data, const std::string& path, Compression compression) {
   std::string reported;
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&reported);
@@ -110,8 +112,21 @@ void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::pat
     writer->SetCompressorTypeToZLib();
   writer->Write();
   const unsigned long code = writer->GetErrorCode();
-  if (code != vtkErrorCode::NoError || !reported.empty())
-    throw RunError("cannot write " + path.string() + ": " + describe(code, reported));
+  return code != vtkErrorCode::NoError || !reported.empty() ? describe(code, reported) : std::string();
+}
+
+/// Under another name until it is whole, so that no reader meets half a frame.
+void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::path& path, Compression compression) {
+  const std::filesystem::path temporary = path.string() + ".part";
+  std::string failure = try_to_write(writer, data, temporary, compression);
+  std::error_code error;
+  if (failure.empty()) {
+    std::filesystem::rename(temporary, path, error);
+    if (error) failure = error.message();
+  }
+  if (failure.empty()) return;
+  std::filesystem::remove(temporary, error);
+  throw RunError("cannot write " + path.string() + ": " + failure);
 }
 
 }  // namespace

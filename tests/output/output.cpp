@@ -213,7 +213,7 @@ TEST_CASE("a run that fails because frames cannot be written still ends with a s
   const TemporaryDirectory directory;
   const Scene scene = small_scene();
   Output<2> output(scene, options_for(directory / "run"));
-  std::filesystem::create_symlink("/dev/full", directory / "run/particles_000001.vtu");
+  std::filesystem::create_symlink("/dev/full", directory / "run/particles_000001.vtu.part");
   State<2> state = small_state();
   output.start(Frame<2>(state));
   CHECK_THROWS_AS(

@@ -189,7 +189,7 @@ TEST_CASE("a scene without membranes has no membrane files") {
 
 TEST_CASE("a full disk reaches the step loop as an error") {
   const TemporaryDirectory directory;
-  std::filesystem::create_symlink("/dev/full", directory / "particles_000001.vtu");
+  std::filesystem::create_symlink("/dev/full", directory / "particles_000001.vtu.part");
   FrameWriter writer(directory / "", Compression::none, {});
   writer.submit(take_snapshot(small_state(), materials));
   CHECK_NOTHROW(writer.wait());
@@ -197,6 +197,9 @@ TEST_CASE("a full disk reaches the step loop as an error") {
   CHECK_THROWS_AS(writer.wait(), RunError);
   CHECK_THROWS_AS(writer.submit(take_snapshot(small_state(), materials)), RunError);
   CHECK(read_file(directory / "particles.pvd").find("particles_000001") == std::string::npos);
+  CHECK(std::filesystem::exists(directory / "particles_000000.vtu"));
+  for (const auto& entry : std::filesystem::directory_iterator(directory / ""))
+    CHECK(entry.path().filename().string().find("particles_000001") == std::string::npos);
 }
 
 TEST_CASE("a directory that went away is an error, too") {
