@@ -75,7 +75,8 @@ template <int Dim>
 class Output {
  public:
   /// Keeps a reference to the scene. Throws SceneError if a result names no column, if the directory holds other things
-  /// than an earlier run, or, with `resume`, no checkpoint. Nothing was written then. An earlier run's files are
+  /// than an earlier run, or, with `resume`, no checkpoint (a finished run has none) or one that is not before the time
+  /// `end`. Nothing was written then. An earlier run's files are
   /// replaced; says so in the log.
   Output(const Scene& scene, const RunOptions& options);
   ~Output();
@@ -102,7 +103,8 @@ class Output {
   void log(const std::string& line);
 
   /// Writes the last frame and row (no row when stopped: a resumed run then has the rows of an uninterrupted one),
-  /// waits for the writer, prints the tables, writes summary.json.
+  /// waits for the writer, prints the tables, writes summary.json. Removes the checkpoint if the run reached the end of
+  /// its scene.
   Summary finish(Frame<Dim> frame, const RunStatistics& statistics);
 
  private:

@@ -14,6 +14,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -22,6 +23,9 @@
 
 namespace geodrop {
 namespace {
+
+constexpr const char* checkpoint_name = "checkpoint.bin";
+constexpr int time_digits = 6;
 
 /// The multiples of an interval, each of which is due once: at the first time at or after it.
 class Schedule {
@@ -72,14 +76,36 @@ std::vector<std::string> names(const std::vector<MaterialSpec>& materials) {
 
 LogMode log_mode(bool resume) { return resume ? LogMode::append : LogMode::begin; }
 
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& option, const std::string& found,
+                         const std::string& allowed) {
+  throw SceneError(path.string(), {{{}, option, found, allowed, ProblemSource::elsewhere}});
+}
+
+template <int Dim>
+Checkpoint<Dim> check_resume(const Scene& scene, const RunOptions& options, const std::filesystem::path& directory) {
+  const std::filesystem::path path = directory / checkpoint_name;
+  if (const auto t = done_at(directory); t && !std::filesystem::exists(path))
+    refuse(directory, "--resume", "a run that is finished (t = " + format_number(*t, time_digits) + " s)",
+           "a run that was stopped with a checkpoint");
+  Checkpoint<Dim> checkpoint = read_checkpoint<Dim>(path, scene);
+  if (const double t = checkpoint.state.t; options.end > 0 && options.end <= t)
+    refuse(path, "--until", format_number(options.end, time_digits),
+           "a time after the checkpoint's, " + format_number(t, time_digits) + " s");
+  return checkpoint;
+}
+
 /// All that can refuse a run, before anything is written.
 template <int Dim>
 std::optional<Checkpoint<Dim>> check_run(const Scene& scene, const RunOptions& options,
                                          const std::filesystem::path& directory) {
   check_results(scene);
-  if (options.resume) return read_checkpoint<Dim>(directory / "checkpoint.bin", scene);
+  if (options.resume) return check_resume<Dim>(scene, options, directory);
   check_replaceable(directory);
   return std::nullopt;
+}
+
+double end_of_run(const Scene& scene, const RunOptions& options) {
+  return options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
 }
 
 }  // namespace
@@ -93,7 +119,7 @@ struct Output<Dim>::Parts {
         resumed(check_run<Dim>(scene, options, directory)),
         replaced(options.resume ? 0 : prepare_directory(directory)),
         console(directory / "run.log", log_mode(options.resume)),
-        progress(options.end > 0 ? options.end : scene.time.end, 0),
+        progress(end_of_run(scene, options), 0),
         rows_due(scene.output.history_interval),
         frames_due(scene.output.frame_interval),
         history{history_columns(scene), {}},
@@ -102,7 +128,7 @@ struct Output<Dim>::Parts {
 
   void begin(const State<Dim>& state) {
     particles = count_particles(state);
-    progress = Progress(options.end > 0 ? options.end : scene.time.end, particles);
+    progress = Progress(end_of_run(scene, options), particles);
     progress.begin(state.t, state.step);
     for (const double t : frames.times()) frames_due.pass(t);
     for (const std::vector<double>& row : history.rows) rows_due.pass(row.front());
@@ -131,6 +157,10 @@ Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std:
   if (parts_->replaced > 0)
     parts_->console.print("replaced an earlier run in " + directory().string() + " (" +
                           std::to_string(parts_->replaced) + " files)");
+  if (options.end > scene.time.end)
+    parts_->console.print("warning: --until " + format_number(options.end, time_digits) +
+                          " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) +
+                          " s");
   if (!options.resume) write_file_atomically(directory() / "scene.toml", scene.as_run);
 }
 
@@ -190,7 +220,7 @@ void Output<Dim>::checkpoint(Frame<Dim> frame) {
   Parts& parts = *parts_;
   if (!parts.has_frame(frame->t)) write_frame(frame);
   parts.frames.wait();  // a checkpoint names only frames that are on disk
-  write_checkpoint(directory() / "checkpoint.bin", parts.scene, *frame, {parts.frames.times(), parts.history.rows});
+  write_checkpoint(directory() / checkpoint_name, parts.scene, *frame, {parts.frames.times(), parts.history.rows});
 }
 
 template <int Dim>
@@ -216,6 +246,9 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& statistics) {
   for (const Expectation& expectation : summary.expectations) summary.expectations_met &= expectation.met;
   const RunIdentity run{parts.options.threads, frame->step, frame->t, parts.particles};
   write_file_atomically(directory() / "summary.json", summary_json(parts.scene, run, statistics, summary));
+  // What a finished run was resumed from is of no use any more: it would only repeat the same end.
+  if (statistics.status == RunStatus::done && frame->t >= parts.scene.time.end)
+    std::filesystem::remove(directory() / checkpoint_name);
   print_end(frame, statistics, summary);
   return summary;
 }

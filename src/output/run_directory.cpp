@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <geodrop/error.hpp>
-#include <optional>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,14 @@ void check_replaceable(const fs::path& directory) {
   if (!fs::exists(directory)) return;
   if (!fs::is_directory(directory)) refuse("a file");
   if (!fs::is_empty(directory) && !is_run_directory(directory)) refuse("a directory with other files in it");
+}
+
+std::optional<double> done_at(const fs::path& directory) {
+  std::ifstream file(directory / "summary.json");
+  const std::string text{std::istreambuf_iterator<char>(file), {}}, time = "\"time_s\": ";
+  const std::size_t at = text.find(time);
+  if (text.find("\"status\": \"done\"") == std::string::npos || at == std::string::npos) return std::nullopt;
+  return std::strtod(text.c_str() + at + time.size(), nullptr);
 }
 
 std::size_t prepare_directory(const fs::path& directory) {

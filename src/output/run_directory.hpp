@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <geodrop/scene.hpp>
+#include <optional>
 
 namespace geodrop {
 
@@ -13,6 +14,9 @@ std::filesystem::path choose_directory(const Scene& scene, const std::filesystem
 /// Throws SceneError if `directory` is no directory, or holds files and is not of an earlier run: nobody's data is lost
 /// to a mistyped name.
 void check_replaceable(const std::filesystem::path& directory);
+
+/// Simulated time [s] at which the run in `directory` was done, from its summary; empty if it was not.
+std::optional<double> done_at(const std::filesystem::path& directory);
 
 /// Makes the directory, or takes the files of an earlier run out of it and leaves all others. Returns their number.
 std::size_t prepare_directory(const std::filesystem::path& directory);
