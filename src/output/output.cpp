@@ -8,6 +8,7 @@
 #include "atomic_file.hpp"
 #include "console.hpp"
 #include "frame_writer.hpp"
+#include "membrane_peaks.hpp"
 #include "run_directory.hpp"
 #include "summary.hpp"
 #include "text.hpp"
@@ -205,6 +206,7 @@ void Output<Dim>::write_history(Frame<Dim> frame) {
   parts_->history.rows.push_back(history_row(parts_->scene, *frame, parts_->history));
   parts_->history_file->append(parts_->history.rows.back());
   parts_->rows_due.pass(frame->t);
+  for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) log(warning);
 }
 
 template <int Dim>
@@ -234,10 +236,12 @@ void Output<Dim>::log(const std::string& line) {
 }
 
 template <int Dim>
-Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& statistics) {
+Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop) {
   Parts& parts = *parts_;
+  RunStatistics statistics = of_step_loop;
   if (statistics.status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
   write_last_frame(frame, statistics.status);
+  for (const Fact& fact : membrane_peaks(parts.scene, parts.history)) statistics.facts.push_back(fact);
 
   Summary summary;
   summary.state_hash = state_hash(*frame);
