@@ -17,7 +17,9 @@ inline constexpr int vertical_axis = Dim - 1;
 template <int Dim>
 std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, std::size_t p);
 
-/// Where a body is, how it moves, and its mean stress near its centre. NaN where no particle is near the centre.
+/// Where a body is, how it moves, and its mean stress near its centre. The stresses, and with them the columns
+/// *_centre_Pa of history.csv, are NaN while no particle is near the centre of mass, as in a ring or a splash; results
+/// leave such rows out.
 template <int Dim>
 struct BodyMeasures {
   Vec<Dim> centre = Vec<Dim>::Zero(), velocity = Vec<Dim>::Zero();  ///< of mass [m], [m/s]
