@@ -18,7 +18,9 @@ const std::vector<std::string> settings{"grid.spacing=0.5", "time.end=0.1"};
 struct Left {
   std::string hash, history, frames;
   explicit Left(const SceneRun& run)
-      : hash(run.hash()), history(geodrop::read_file(run.file("history.csv"))), frames(geodrop::read_file(run.file("particles.pvd"))) {}
+      : hash(run.hash()),
+        history(geodrop::read_file(run.file("history.csv"))),
+        frames(geodrop::read_file(run.file("particles.pvd"))) {}
   bool operator==(const Left&) const = default;
 };
 
