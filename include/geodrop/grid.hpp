@@ -40,6 +40,7 @@ struct GridLayout {
   std::array<int, Dim> blocks{};             ///< per axis
   std::array<int, Dim> slabs{};              ///< per axis; 1 along x
   std::array<WallKind, Dim> lower_wall{}, upper_wall{};
+  Basis basis = Basis::bspline2;
 
   GridLayout() = default;
   GridLayout(const GridSpec& spec, const WallsSpec& walls);
@@ -89,6 +90,7 @@ struct Grid {
     Array<double> width;                 ///< of the cell: 1, at a wall 1/2, beyond it 0
   };
   std::array<AxisIntegrals, Dim> integrals;
+  std::array<double, 3> interior_value{};  ///< int N over the cells below, at, above a node, away from walls, h = 1
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };

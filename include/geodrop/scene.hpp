@@ -156,7 +156,7 @@ struct MembraneSpec {
 };
 
 // --- Numerics ----------------------------------------------------------------------------------
-enum class Basis { bspline2 };
+enum class Basis { bspline2, gimp, linear };
 enum class WallKind { slip, no_slip };
 enum class Transfer { apic, blend };
 

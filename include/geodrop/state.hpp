@@ -22,6 +22,7 @@ struct Body {
   PressureSupport pressure = PressureSupport::cell;
   bool shift = false;      ///< particle shifting (fluids)
   double shift_speed = 0;  ///< v0 of the shift [m/s]
+  double half_size = 0;    ///< half width of a particle's domain (Basis::gimp) [h]
 
   std::array<Array<double>, Dim> x;             ///< position [m]
   std::array<Array<double>, Dim> v;             ///< velocity [m/s]
@@ -59,6 +60,7 @@ struct Membrane {
   double axial_stiffness = 0;           ///< J [N/m]
   double strength = 0;                  ///< [N/m]
   int averaging_segments = 0;           ///< half width of the box mean
+  double half_size = 0;                 ///< half distance of nodes when drawn, their domain for Basis::gimp [h]
   std::array<Array<double>, Dim> x, v;  ///< nodes [m], [m/s]
   Array<double> mass;                   ///< nodes [kg], per metre of depth
   Array<double> rest_length;            ///< segments [m]

@@ -5,12 +5,11 @@
 namespace geodrop {
 namespace {
 
-constexpr double interior_value[3] = {1.0 / 6, 2.0 / 3,
-                                      1.0 / 6};       ///< int N over the cells below, at, above a node, h = 1
 constexpr double interior_slope[3] = {-0.5, 0, 0.5};  ///< int N' of the nodes below, at, above a cell
 
 template <int Dim>
 void add_interior_force(const Grid<Dim>& grid, int begin, int count, RowForce<Dim>& force) {
+  const auto& interior_value = grid.interior_value;
   for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
     const double* const p = grid.cell_pressure.data() + begin + offset;
     // Seen from the node, a cell below has the node at its upper side: slopes change sign.
@@ -47,6 +46,7 @@ std::array<double, Dim> force_near_wall(const Grid<Dim>& grid, const std::array<
 /// sum_i v_i . int_c grad N_i for cells along x, h = 1.
 template <int Dim, std::size_t N>
 void add_interior_flux(const Grid<Dim>& grid, int begin, int count, std::array<double, N>& flux) {
+  const auto& interior_value = grid.interior_value;
   for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
     const Vec4* const v = grid.velocity.data() + begin + offset;
     const double value_y = interior_value[y], value_z = Dim == 3 ? interior_value[z] : 1.0;

@@ -8,19 +8,26 @@ namespace geodrop {
 namespace {
 
 /// Integrals of N and N' over the cell of node `cell`, h = 1, for the three nodes that reach into it.
-/// A wall half cell sees its ghost node folded onto the mirror node with sign `parity`
-/// (+1 slip, -1 no-slip for tangential components; slopes act on the normal component, always -1).
 struct CellIntegral {
   std::array<double, 3> value, slope;
 };
 
-CellIntegral wall_cell(bool lower, double parity) {
-  // Half cell [0, 1/2] of a lower wall: int N = (1/48, 1/3, 7/48), int N' = (-1/8, -1/4, 3/8).
-  // The normal velocity of the wall node is zero, so its slope never acts.
-  const double mirror_value = 7.0 / 48 + parity / 48;
-  const double mirror_slope = 3.0 / 8 + 1.0 / 8;
-  if (lower) return {{0, 1.0 / 3, mirror_value}, {0, 0, mirror_slope}};
-  return {{mirror_value, 1.0 / 3, 0}, {-mirror_slope, 0, 0}};
+/// The cell reaches 1/2 to both sides of its node; particles of GIMP see the hat function itself there.
+CellIntegral interior_cell(Basis basis) {
+  if (basis == Basis::bspline2) return {{1.0 / 6, 2.0 / 3, 1.0 / 6}, {-0.5, 0, 0.5}};
+  return {{1.0 / 8, 3.0 / 4, 1.0 / 8}, {-0.5, 0, 0.5}};
+}
+
+/// A wall half cell sees its ghost node folded onto the mirror node with sign `parity`
+/// (+1 slip, -1 no-slip for tangential components; slopes act on the normal component, always -1).
+/// Half cell [0, 1/2] of a lower wall, unfolded: B-splines int N = (1/48, 1/3, 7/48), int N' = (-1/8, -1/4, 3/8);
+/// hat functions (0, 3/8, 1/8), (0, -1/2, 1/2). The normal velocity of the wall node is zero: its slope never acts.
+CellIntegral wall_cell(Basis basis, bool lower, double parity) {
+  const double own = basis == Basis::bspline2 ? 1.0 / 3 : 3.0 / 8;
+  const double mirror_value = basis == Basis::bspline2 ? 7.0 / 48 + parity / 48 : 1.0 / 8;
+  constexpr double mirror_slope = 0.5;  // B-splines: 3/8 + 1/8
+  if (lower) return {{0, own, mirror_value}, {0, 0, mirror_slope}};
+  return {{mirror_value, own, 0}, {-mirror_slope, 0, 0}};
 }
 
 template <int Dim>
@@ -28,7 +35,7 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
   typename Grid<Dim>::AxisIntegrals out;
   const int stored = layout.stored[axis];
   const CellIntegral none{{0, 0, 0}, {0, 0, 0}};
-  const CellIntegral interior{{1.0 / 6, 2.0 / 3, 1.0 / 6}, {-0.5, 0, 0.5}};
+  const CellIntegral interior = interior_cell(layout.basis);
   out.value.resize(stored);
   out.slope.resize(stored);
   out.width.assign(stored, 0.0);
@@ -38,7 +45,7 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
     const bool at_lower = cell == 0, at_upper = cell == layout.cells[axis];
     const WallKind wall = at_lower ? layout.lower_wall[axis] : layout.upper_wall[axis];
     const double parity = wall == WallKind::slip ? 1.0 : -1.0;
-    const CellIntegral c = !inside ? none : at_lower || at_upper ? wall_cell(at_lower, parity) : interior;
+    const CellIntegral c = !inside ? none : at_lower || at_upper ? wall_cell(layout.basis, at_lower, parity) : interior;
     out.value[s] = c.value;
     out.slope[s] = c.slope;
     out.width[s] = !inside ? 0.0 : (at_lower || at_upper ? 0.5 : 1.0);
@@ -49,7 +56,8 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
 }  // namespace
 
 template <int Dim>
-GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls) : h(spec.spacing), inv_h(1.0 / spec.spacing) {
+GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls)
+    : h(spec.spacing), inv_h(1.0 / spec.spacing), basis(spec.basis) {
   int flat = 1;
   for (int a = 0; a < Dim; ++a) {
     lower[a] = spec.lower[a];
@@ -115,6 +123,7 @@ Grid<Dim> make_grid(const Scene& scene) {
     grid.volume_rate.assign(n, 0.0);
     grid.cell_flags.assign(n, 0);
     for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
+    grid.interior_value = interior_cell(grid.layout.basis).value;
   }
   return grid;
 }

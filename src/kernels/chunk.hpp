@@ -5,6 +5,8 @@
 #include <geodrop/grid.hpp>
 #include <geodrop/state.hpp>
 
+#include "bases.hpp"
+
 // Kernel entries are compiled for x86-64-v4 (32 vector registers: no spills), x86-64-v3 (AVX2, FMA) and the baseline,
 // chosen at load time; `flatten` inlines the templates below into each. Sanitizers do not get along with that choice.
 #ifdef GEODROP_NO_CLONES
@@ -17,25 +19,6 @@ namespace geodrop {
 
 inline constexpr int chunk_size = 64;
 
-/// Quadratic B-spline: three nodes per axis, r = (x - x_base) / h in [-1/2, 1/2], base = nearest node.
-struct Bspline2 {
-  static constexpr int support = 3;
-  /// C = inertia_inverse / h^2 sum N v (x_i - x_p)^T: the inertia of the weights is h^2 / 4 at every r.
-  static constexpr double inertia_inverse = 4;
-
-  static void weights(double r, double* w) {
-    w[0] = 0.5 * (0.5 - r) * (0.5 - r);
-    w[1] = 0.75 - r * r;
-    w[2] = 0.5 * (0.5 + r) * (0.5 + r);
-  }
-  /// Times h: dN/dx.
-  static void slopes(double r, double* g) {
-    g[0] = r - 0.5;
-    g[1] = -2 * r;
-    g[2] = r + 0.5;
-  }
-};
-
 /// Weights of a chunk. `first` is the flat index of the lowest node of the support, `reach` its distance from the
 /// particle.
 template <int Dim, class Basis>
@@ -46,10 +29,11 @@ struct ChunkWeights {
   alignas(64) double reach[Dim][chunk_size];              ///< x_first - x_p [m]
 };
 
+/// Weights of `count` particles at x; `half_size` is half the width of a particle's domain (only GIMP asks) [h].
 template <int Dim, class Basis>
-void compute_weights(const GridLayout<Dim>& layout, const std::array<const double*, Dim>& x, int count,
-                     ChunkWeights<Dim, Basis>& out) {
-  constexpr double half = 0.5;
+void compute_weights(const GridLayout<Dim>& layout, const std::array<const double*, Dim>& x, double half_size,
+                     int count, ChunkWeights<Dim, Basis>& out) {
+  constexpr int below = Basis::support - 2;  // the lowest node of the support lies that far below the base
   for (int k = 0; k < count; ++k) out.first[k] = 0;
   for (int a = 0; a < Dim; ++a) {
     const double lower = layout.lower[a], inv_h = layout.inv_h, h = layout.h;
@@ -60,27 +44,29 @@ void compute_weights(const GridLayout<Dim>& layout, const std::array<const doubl
 #pragma omp simd
     for (int k = 0; k < count; ++k) {
       const double xi = (xa[k] - lower) * inv_h;
-      const double base = __builtin_floor(xi + half);
+      const double base = __builtin_floor(xi + Basis::to_base);
       const double r = xi - base;
-      const double left = half - r, right = half + r;
-      w[0][k] = half * left * left;
-      w[1][k] = 0.75 - r * r;
-      w[2][k] = half * right * right;
-      g[0][k] = -left * inv_h;
-      g[1][k] = -2 * r * inv_h;
-      g[2][k] = right * inv_h;
-      out.reach[a][k] = (-1 - r) * h;
-      out.first[k] += (static_cast<std::int32_t>(base) + GridLayout<Dim>::pad - 1) * stride;
+      const auto n = Basis::at(r, half_size);
+      w[0][k] = n.w0;
+      w[1][k] = n.w1;
+      g[0][k] = n.g0 * inv_h;
+      g[1][k] = n.g1 * inv_h;
+      if constexpr (Basis::support == 3) {
+        w[2][k] = n.w2;
+        g[2][k] = n.g2 * inv_h;
+      }
+      out.reach[a][k] = (-below - r) * h;
+      out.first[k] += (static_cast<std::int32_t>(base) + GridLayout<Dim>::pad - below) * stride;
     }
   }
 }
 
-/// Offset from the lowest node of the support to the base node.
-template <int Dim>
-int base_offset(const GridLayout<Dim>& layout) {
-  int offset = 0;
-  for (int a = 0; a < Dim; ++a) offset += layout.stride[a];
-  return offset;
+/// Pressure cell (nearest node) of particle k of a chunk.
+template <int Dim, class Basis>
+int pressure_cell(const GridLayout<Dim>& layout, const ChunkWeights<Dim, Basis>& weights, int k) {
+  int cell = weights.first[k];
+  for (int a = 0; a < Dim; ++a) cell += layout.stride[a] * (Basis::support == 3 || weights.w[a][1][k] >= 0.5 ? 1 : 0);
+  return cell;
 }
 
 /// Index of tensor component (a, b) in the stress order of types.hpp.

@@ -1,7 +1,7 @@
 // Grid to particles: velocity, affine rate, position, volume and stress.
 //
 //   v_p = a (v_p + sum N (v' - v)) + (1 - a) sum N v',  a = exp(-lambda dt)   (a = 0: APIC)
-//   C_p = 4/h^2 sum N v' (x_i - x_p)^T,  x_p += dt sum N v',  L = sum v' (grad N)^T
+//   C_p = 4/h^2 sum N v' (x_i - x_p)^T (other bases: C_p = L),  x_p += dt sum N v',  L = sum v' (grad N)^T
 //   J  *= 1 + dt D,  D = D_c in filled cells, tr L elsewhere                  design.md section 2, steps 4 and 5
 #pragma once
 
@@ -27,12 +27,16 @@ struct ChunkRates {
       64) double fill_slope[Dim][chunk_size];  ///< gradient of the fill ratio [1/m]; 0 where particles must not shift
 };
 
+/// APIC takes C from moments of the velocity; bases without a constant inertia take the gradient (TPIC).
+template <class Basis>
+inline constexpr bool has_moments = Basis::inertia_inverse > 0;
+
 /// Sums over the support of one particle; lanes as in Grid::velocity.
 template <int Dim>
 struct GatherSums {
   Vec4 value{};          ///< sum N u
   Vec4 change{};         ///< sum N (v' - v)
-  Vec4 moment[Dim]{};    ///< sum N u (x_i - x_p)_a
+  Vec4 moment[Dim]{};    ///< sum N u (x_i - x_p)_a; only with has_moments
   Vec4 gradient[Dim]{};  ///< sum u dN/dx_a
 };
 
@@ -56,40 +60,43 @@ GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis
       for (int i = 0; i < Basis::support; ++i) {
         const Vec4 u = velocity0[offset + i];
         row += wx[i] * u;
-        row_mx += mx[i] * u;
         row_gx += gx[i] * u;
+        if constexpr (has_moments<Basis>) row_mx += mx[i] * u;
         if constexpr (Blend) row_change += wx[i] * change0[offset + i];
       }
       const double wy = weights.w[1][y][k];
       plane += wy * row;
-      plane_mx += wy * row_mx;
       plane_gx += wy * row_gx;
-      plane_my += wy * (weights.reach[1][k] + y * h) * row;
       plane_gy += weights.g[1][y][k] * row;
+      if constexpr (has_moments<Basis>) {
+        plane_mx += wy * row_mx;
+        plane_my += wy * (weights.reach[1][k] + y * h) * row;
+      }
       if constexpr (Blend) plane_change += wy * row_change;
     }
     const double wz = Dim == 3 ? weights.w[Dim - 1][z][k] : 1.0;
     s.value += wz * plane;
-    s.change += wz * plane_change;
-    s.moment[0] += wz * plane_mx;
-    s.moment[1] += wz * plane_my;
     s.gradient[0] += wz * plane_gx;
     s.gradient[1] += wz * plane_gy;
-    if constexpr (Dim == 3) {
-      s.moment[2] += wz * (weights.reach[2][k] + z * h) * plane;
-      s.gradient[2] += weights.g[2][z][k] * plane;
+    if constexpr (Dim == 3) s.gradient[2] += weights.g[2][z][k] * plane;
+    if constexpr (Blend) s.change += wz * plane_change;
+    if constexpr (has_moments<Basis>) {
+      s.moment[0] += wz * plane_mx;
+      s.moment[1] += wz * plane_my;
+      if constexpr (Dim == 3) s.moment[2] += wz * (weights.reach[2][k] + z * h) * plane;
     }
   }
   return s;
 }
 
-/// Spreads the sums of particle p = k of the chunk over the arrays of the chunk and of the body.
-template <int Dim, bool Blend>
-void store_sums(Body<Dim>& body, GatherSums<Dim> s, double inertia_inverse, double dt, bool shift, std::size_t p, int k,
-                ChunkRates<Dim>& rates) {
+/// Spreads the sums of particle p = k of the chunk over the arrays of the chunk and of the body; C = affine_scale times
+/// the moments if the basis has them, else times grad v.
+template <int Dim, class Basis, bool Blend>
+void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, double affine_scale, double dt, bool shift, std::size_t p,
+                int k, ChunkRates<Dim>& rates) {
   double trace = 0;
   for (int b = 0; b < Dim; ++b) {
-    const Vec4 affine = inertia_inverse * s.moment[b];
+    const Vec4 affine = affine_scale * (has_moments<Basis> ? s.moment[b] : s.gradient[b]);
     const Vec4 increment = dt * s.gradient[b];
     trace += increment[b];
     for (int a = 0; a < Dim; ++a) {
@@ -250,9 +257,8 @@ template <int Dim, class Basis>
 void take_cell_rates(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, double dt,
                      int count, ChunkRates<Dim>& rates) {
   if (body.pressure != PressureSupport::cell) return;
-  const int to_base = base_offset(grid.layout);
   for (int k = 0; k < count; ++k) {
-    const int cell = weights.first[k] + to_base;
+    const int cell = pressure_cell(grid.layout, weights, k);
     if (grid.cell_flags[cell] & cell_filled) rates.volume[k] = dt * grid.volume_rate[cell];
   }
 }
@@ -264,8 +270,8 @@ Maxima gather_range(Body<Dim>& body, const Law& law, const Grid<Dim>& grid, cons
   ChunkRates<Dim> rates;
   alignas(64) double old_x[Dim][chunk_size];
   Maxima maxima;
-  const double inertia_inverse = options.damping * Basis::inertia_inverse * grid.layout.inv_h * grid.layout.inv_h;
-  const int to_base = base_offset(grid.layout);
+  const double affine_scale =
+      options.damping * (has_moments<Basis> ? Basis::inertia_inverse * grid.layout.inv_h * grid.layout.inv_h : 1.0);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     std::array<const double*, Dim> x;
@@ -273,11 +279,11 @@ Maxima gather_range(Body<Dim>& body, const Law& law, const Grid<Dim>& grid, cons
       x[a] = body.x[a].data() + p;
       std::copy_n(x[a], count, old_x[a]);
     }
-    compute_weights<Dim, Basis>(grid.layout, x, count, weights);
+    compute_weights<Dim, Basis>(grid.layout, x, body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
-      const bool shift = body.shift && (grid.cell_flags[weights.first[k] + to_base] & cell_shiftable);
-      store_sums<Dim, Blend>(body, gather_sums<Dim, Basis, Blend>(grid, weights, k), inertia_inverse, options.dt, shift,
-                             p + k, k, rates);
+      const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
+      store_sums<Dim, Basis, Blend>(body, gather_sums<Dim, Basis, Blend>(grid, weights, k), affine_scale, options.dt,
+                                    shift, p + k, k, rates);
     }
     take_cell_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, Blend>(body, options, rates, p, count);

@@ -7,15 +7,40 @@ namespace geodrop {
 
 /// Adds mass, momentum and stress force of particles [begin, end) to the grid. If the grid has no separate force
 /// record, dt times the force joins the momentum.
-template <int Dim>
+template <int Dim, class Basis>
 void scatter(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end);
 
 /// Moves particles [begin, end), updates their volume and stress.
-template <int Dim>
+template <int Dim, class Basis>
 Maxima gather(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin, std::size_t end);
 
 /// Adds V_p, and V_p p_p of bodies with cell pressure, to the base cells of particles [begin, end).
 template <int Dim>
 void sum_cells(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
+
+/// Calls f(basis policy) for the basis of the grid: one switch per range of particles.
+template <class F>
+auto with_basis(Basis basis, F&& f) {
+  switch (basis) {
+    case Basis::gimp:
+      return f(Gimp{});
+    case Basis::linear:
+      return f(Linear{});
+    default:
+      return f(Bspline2{});
+  }
+}
+
+template <int Dim>
+void scatter(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end) {
+  with_basis(grid.layout.basis, [&](auto basis) { scatter<Dim, decltype(basis)>(body, grid, dt, begin, end); });
+}
+
+template <int Dim>
+Maxima gather(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
+              std::size_t end) {
+  return with_basis(grid.layout.basis,
+                    [&](auto basis) { return gather<Dim, decltype(basis)>(body, grid, options, begin, end); });
+}
 
 }  // namespace geodrop

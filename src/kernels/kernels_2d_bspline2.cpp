@@ -4,19 +4,15 @@
 namespace geodrop {
 
 template <>
-GEODROP_KERNEL void scatter<2>(const Body<2>& body, Grid<2>& grid, double dt, std::size_t begin, std::size_t end) {
+GEODROP_KERNEL void scatter<2, Bspline2>(const Body<2>& body, Grid<2>& grid, double dt, std::size_t begin,
+                                         std::size_t end) {
   scatter_dispatch<2, Bspline2>(body, grid, dt, begin, end);
 }
 
 template <>
-GEODROP_KERNEL Maxima gather<2>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options, std::size_t begin,
-                                std::size_t end) {
+GEODROP_KERNEL Maxima gather<2, Bspline2>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
+                                          std::size_t begin, std::size_t end) {
   return gather_dispatch<2, Bspline2>(body, grid, options, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void sum_cells<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_cells_dispatch<2>(body, grid, begin, end);
 }
 
 }  // namespace geodrop

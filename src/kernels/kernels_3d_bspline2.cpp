@@ -4,19 +4,15 @@
 namespace geodrop {
 
 template <>
-GEODROP_KERNEL void scatter<3>(const Body<3>& body, Grid<3>& grid, double dt, std::size_t begin, std::size_t end) {
+GEODROP_KERNEL void scatter<3, Bspline2>(const Body<3>& body, Grid<3>& grid, double dt, std::size_t begin,
+                                         std::size_t end) {
   scatter_dispatch<3, Bspline2>(body, grid, dt, begin, end);
 }
 
 template <>
-GEODROP_KERNEL Maxima gather<3>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options, std::size_t begin,
-                                std::size_t end) {
+GEODROP_KERNEL Maxima gather<3, Bspline2>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
+                                          std::size_t begin, std::size_t end) {
   return gather_dispatch<3, Bspline2>(body, grid, options, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void sum_cells<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
-  sum_cells_dispatch<3>(body, grid, begin, end);
 }
 
 }  // namespace geodrop

@@ -99,8 +99,8 @@ void own_pressure(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeigh
     for (int k = 0; k < count; ++k) own[k] = 1;
     return;
   }
-  const int to_base = base_offset(grid.layout);
-  for (int k = 0; k < count; ++k) own[k] = grid.cell_flags[weights.first[k] + to_base] & cell_filled ? 0.0 : 1.0;
+  for (int k = 0; k < count; ++k)
+    own[k] = grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_filled ? 0.0 : 1.0;
 }
 
 /// One particle's contribution: vectors of a node record.
@@ -144,13 +144,15 @@ void add_row(Vec4* sum, Vec4* force, const double (&w)[Basis::support][chunk_siz
   value *= outer_w;
   step *= outer_w;
   traction_x *= outer_w;
+  if constexpr (!Separate) value += traction_rest;  // one multiply-add less for each node
   for (int i = 0; i < Basis::support; ++i) {
-    const Vec4 f = g[i][k] * traction_x + w[i][k] * traction_rest;
     if constexpr (Separate) {
       sum[i] += w[i][k] * value;
-      force[i] += f;
+      force[i] += g[i][k] * traction_x;
+      force[i] += w[i][k] * traction_rest;
     } else {
-      sum[i] += w[i][k] * value + f;
+      sum[i] += g[i][k] * traction_x;
+      sum[i] += w[i][k] * value;
     }
     value += step;
   }
@@ -191,7 +193,7 @@ void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, doubl
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     std::array<const double*, Dim> x;
     for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
-    compute_weights<Dim, Basis>(grid.layout, x, count, weights);
+    compute_weights<Dim, Basis>(grid.layout, x, body.half_size, count, weights);
     own_pressure<Dim, Basis>(body, grid, weights, count, own);
     carried_stress(body, law, p, count, own, stress);
     if constexpr (!Separate)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "../kernels/chunk.hpp"
+#include "../kernels/bases.hpp"
 
 namespace geodrop {
 namespace {
@@ -46,21 +46,27 @@ void for_box(const Membrane<Dim>& membrane, std::size_t s, F&& f) {
 template <int Dim>
 struct PointSupport {
   int first;
-  double w[Dim][Bspline2::support];
+  std::array<std::array<double, 3>, Dim> w;
 
-  PointSupport(const GridLayout<Dim>& layout, const std::array<double, Dim>& x) : first(0) {
+  /// `half_size`: half width of the point's domain for Basis::gimp [h]; hat functions are its limit.
+  PointSupport(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, double half_size) : first(0) {
+    constexpr double to_the_limit = 1e-9;
     for (int a = 0; a < Dim; ++a) {
       const int base = layout.base(a, x[a]);
-      Bspline2::weights((x[a] - layout.lower[a]) * layout.inv_h - base, w[a]);
+      const double r = (x[a] - layout.lower[a]) * layout.inv_h - base;
+      const ThreeWeights n = layout.basis == Basis::bspline2 ? Bspline2::at(r, 0)
+                             : layout.basis == Basis::gimp   ? Gimp::at(r, half_size)
+                                                             : Gimp::at(r, to_the_limit);
+      w[a] = {n.w0, n.w1, n.w2};
       first += (base + GridLayout<Dim>::pad - 1) * layout.stride[a];
     }
   }
   /// f(flat node, weight)
   template <class F>
   void for_each_node(const GridLayout<Dim>& layout, F&& f) const {
-    for (int z = 0; z < (Dim == 3 ? Bspline2::support : 1); ++z)
-      for (int y = 0; y < Bspline2::support; ++y)
-        for (int x = 0; x < Bspline2::support; ++x) {
+    for (int z = 0; z < (Dim == 3 ? 3 : 1); ++z)
+      for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 3; ++x) {
           const double outer = w[1][y] * (Dim == 3 ? w[Dim - 1][z] : 1.0);
           f(first + x + y * layout.stride[1] + (Dim == 3 ? z * layout.stride[Dim - 1] : 0), w[0][x] * outer);
         }
@@ -105,7 +111,7 @@ void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt)
     }
     momentum[3] = membrane.mass[k];
     if (!separate) momentum += dt * f;
-    const PointSupport<Dim> support(grid.layout, node_position(membrane, k));
+    const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
     support.for_each_node(grid.layout, [&](int node, double weight) {
       grid.sum[node] += weight * momentum;
       if (separate) grid.force[node] += weight * f;
@@ -167,7 +173,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
   double displacement = 0;
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k));
+      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
       for (int a = 0; a < Dim; ++a) {
@@ -180,10 +186,13 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
   state.drift += displacement;
 }
 
+/// A tracer has no extent of its own; with Basis::gimp it sees what a particle of a quarter cell's half width sees [h].
+constexpr double tracer_half_size = 0.25;
+
 template <int Dim>
 void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
   for (Tracer<Dim>& tracer : state.tracers) {
-    const Vec4 v = interpolate(grid.layout, PointSupport<Dim>(grid.layout, tracer.x), grid.velocity);
+    const Vec4 v = interpolate(grid.layout, PointSupport<Dim>(grid.layout, tracer.x, tracer_half_size), grid.velocity);
     for (int a = 0; a < Dim; ++a) {
       tracer.v[a] = v[a];
       tracer.x[a] += dt * v[a];

@@ -33,15 +33,15 @@ template <class Part>
 auto members(Part& part) {
   using Plain = std::remove_const_t<Part>;
   if constexpr (is_body<Plain>) {
-    auto& [name, material_name, material, pressure, shift, shift_speed, x, v, affine, mass, J, stress, pore_pressure,
-           deviatoric_strain, id, initial_x, layer, slab_begin] = part;
-    return std::tie(name, material_name, material, pressure, shift, shift_speed, x, v, affine, mass, J, stress,
-                    pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
+    auto& [name, material_name, material, pressure, shift, shift_speed, half_size, x, v, affine, mass, J, stress,
+           pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin] = part;
+    return std::tie(name, material_name, material, pressure, shift, shift_speed, half_size, x, v, affine, mass, J,
+                    stress, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
-    auto& [name, body, closed, axial_stiffness, strength, averaging_segments, x, v, mass, rest_length, strain, tension,
-           tension_peak] = part;
-    return std::tie(name, body, closed, axial_stiffness, strength, averaging_segments, x, v, mass, rest_length, strain,
-                    tension, tension_peak);
+    auto& [name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
+           strain, tension, tension_peak] = part;
+    return std::tie(name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
+                    rest_length, strain, tension, tension_peak);
   } else if constexpr (is_tracer<Plain>) {
     auto& [name, x, v, initial_x] = part;
     return std::tie(name, x, v, initial_x);

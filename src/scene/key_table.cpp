@@ -83,7 +83,7 @@ constexpr Key keys[] = {
     {"grid", "lower", point, "m", "", required, any, "lower corner of the domain"},
     {"grid", "upper", point, "m", "", required, any, "upper corner of the domain"},
     {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain"},
-    {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2"), "shape functions: quadratic B-splines"},
+    {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2|gimp|linear"), "shape functions: quadratic B-splines; hat functions averaged over the particles' domains (uGIMP); hat functions"},
 
     {"walls", "left", choice, "", "", required, words("slip|no_slip"), "wall at the lower x; never lets go"},
     {"walls", "right", choice, "", "", required, words("slip|no_slip"), "wall at the upper x; never lets go"},

@@ -59,6 +59,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   body.pressure = spec.pressure;
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
+  body.half_size = 0.5 / spec.particles_per_cell_axis;
   fill_particles(scene, spec, body);
   allocate(body);
   set_initial_stress(scene, spec, body);
@@ -101,6 +102,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.axial_stiffness = spec.axial_stiffness;
   membrane.strength = spec.strength;
   membrane.averaging_segments = spec.averaging_segments;
+  membrane.half_size = 0.5 / spec.segments_per_cell;
   const double spacing = scene.grid.spacing / spec.segments_per_cell;
   const Shape drawn = spec.points.empty() ? body_named(scene, spec.body).shape : Shape{PolygonShape{spec.points}};
   const std::vector<Point> nodes =

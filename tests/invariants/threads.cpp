@@ -29,6 +29,11 @@ TEST_CASE("Main case: one hash for 1, 2, 3 and 5 threads") {
   check_threads("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.0766"});
 }
 
+TEST_CASE("Main case on the other bases: one hash for 1, 2, 3 and 5 threads") {
+  for (const std::string basis : {"gimp", "linear"})
+    check_threads("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.0766", "grid.basis=" + basis});
+}
+
 TEST_CASE("Shifting water: one hash for 1, 2, 3 and 5 threads") {
   // Finer than the case, so that there are enough particles for threads to be used at all.
   check_threads("cases/hydrostatic_column.toml", {"grid.spacing=0.125", "time.end=0.5"});

@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("The gradient that strains the material is the adjoint of the
   ChunkWeights<Dim, Bspline2> weights;
   std::array<const double*, Dim> x;
   for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data();
-  compute_weights<Dim, Bspline2>(grid.layout, x, 60, weights);
+  compute_weights<Dim, Bspline2>(grid.layout, x, body.half_size, 60, weights);
   double stored = 0;
   for (int p = 0; p < 60; ++p) {
     const auto sums = gather_sums<Dim, Bspline2, false>(grid, weights, p);

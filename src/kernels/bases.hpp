@@ -1,0 +1,63 @@
+// Shape functions along one axis, as compile-time policies of the kernels; a basis is their product over the axes.
+//
+//   r = (x - x_base) / h, base = floor(xi + to_base), xi = (x - x_lower) / h; the support is the nodes
+//   base - 1, base, base + 1 (support 3) or base, base + 1 (support 2); slopes are times h
+#pragma once
+
+#include <geodrop/scene.hpp>
+
+namespace geodrop {
+
+struct ThreeWeights {
+  double w0, w1, w2;  ///< N [-]
+  double g0, g1, g2;  ///< h dN/dx [-]
+};
+struct TwoWeights {
+  double w0, w1;
+  double g0, g1;
+};
+
+/// Quadratic B-spline (Steffen, Kirby & Berzins 2008): base = nearest node, r in [-1/2, 1/2].
+struct Bspline2 {
+  static constexpr Basis name = Basis::bspline2;
+  static constexpr int support = 3;
+  static constexpr double to_base = 0.5;
+  /// APIC: C = inertia_inverse / h^2 sum N v (x_i - x_p)^T; the inertia of the weights is h^2 / 4 at every r.
+  static constexpr double inertia_inverse = 4;
+
+  static ThreeWeights at(double r, double) {
+    const double left = 0.5 - r, right = 0.5 + r;
+    return {0.5 * left * left, 0.75 - r * r, 0.5 * right * right, -left, -2 * r, right};
+  }
+};
+
+/// uGIMP (Bardenhagen & Kober 2004): the hat function averaged over a particle domain of fixed half width l <= 1/2 [h],
+/// base = nearest node. l = 1/2 is the quadratic B-spline, l -> 0 the hat function.
+/// The inertia of its weights depends on r, so C = grad v (TPIC, Nakamura et al. 2023).
+struct Gimp {
+  static constexpr Basis name = Basis::gimp;
+  static constexpr int support = 3;
+  static constexpr double to_base = 0.5;
+  static constexpr double inertia_inverse = 0;
+
+  static ThreeWeights at(double r, double l) {
+    const double inside = r < -l ? -l : (r > l ? l : r), beyond = r - inside;
+    const double left = l - inside, right = l + inside, per_width = 0.5 / l;
+    const double w0 = 0.5 * left * left * per_width - (beyond < 0 ? beyond : 0.0);
+    const double w2 = 0.5 * right * right * per_width + (beyond > 0 ? beyond : 0.0);
+    const double g0 = -left * per_width, g2 = right * per_width;
+    return {w0, 1 - w0 - w2, w2, g0, -g0 - g2, g2};
+  }
+};
+
+/// Hat functions of the cell that holds the particle: base = its lower node, r in [0, 1). C = grad v as for GIMP.
+struct Linear {
+  static constexpr Basis name = Basis::linear;
+  static constexpr int support = 2;
+  static constexpr double to_base = 0;
+  static constexpr double inertia_inverse = 0;
+
+  static TwoWeights at(double r, double) { return {1 - r, r, -1, 1}; }
+};
+
+}  // namespace geodrop

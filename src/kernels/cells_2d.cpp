@@ -1,0 +1,11 @@
+// Sums over the particles of pressure cells in 2D.
+#include "dispatch.hpp"
+
+namespace geodrop {
+
+template <>
+GEODROP_KERNEL void sum_cells<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
+  sum_cells_dispatch<2>(body, grid, begin, end);
+}
+
+}  // namespace geodrop

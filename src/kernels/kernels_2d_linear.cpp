@@ -1,0 +1,18 @@
+// The kernels of 2D with hat functions: one translation unit per (dimension, basis), see dispatch.hpp.
+#include "dispatch.hpp"
+
+namespace geodrop {
+
+template <>
+GEODROP_KERNEL void scatter<2, Linear>(const Body<2>& body, Grid<2>& grid, double dt, std::size_t begin,
+                                       std::size_t end) {
+  scatter_dispatch<2, Linear>(body, grid, dt, begin, end);
+}
+
+template <>
+GEODROP_KERNEL Maxima gather<2, Linear>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
+                                        std::size_t begin, std::size_t end) {
+  return gather_dispatch<2, Linear>(body, grid, options, begin, end);
+}
+
+}  // namespace geodrop

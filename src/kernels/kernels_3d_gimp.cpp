@@ -1,0 +1,18 @@
+// The kernels of 3D with uGIMP: one translation unit per (dimension, basis), see dispatch.hpp.
+#include "dispatch.hpp"
+
+namespace geodrop {
+
+template <>
+GEODROP_KERNEL void scatter<3, Gimp>(const Body<3>& body, Grid<3>& grid, double dt, std::size_t begin,
+                                     std::size_t end) {
+  scatter_dispatch<3, Gimp>(body, grid, dt, begin, end);
+}
+
+template <>
+GEODROP_KERNEL Maxima gather<3, Gimp>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
+                                      std::size_t begin, std::size_t end) {
+  return gather_dispatch<3, Gimp>(body, grid, options, begin, end);
+}
+
+}  // namespace geodrop
