@@ -83,6 +83,11 @@ struct Grid {
   Array<double> volume_rate;    ///< D_c [1/s]
   Array<std::uint8_t> cell_flags;
 
+  // Only where a body has PressureSupport::nodal:
+  Array<double> node_volume;    ///< sum N V_p [m3]
+  Array<double> node_pressure;  ///< sum N V_p p_p, then their mean P_i [Pa]
+  Array<double> node_rate;      ///< sum N V_p tr L_p, then their mean D_i [1/s]
+
   /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, h = 1.
   struct AxisIntegrals {
     Array<std::array<double, 3>> value;  ///< int N of the nodes cell-1, cell, cell+1

@@ -119,8 +119,9 @@ struct BarFirstModeSpec {
 using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec>;
 
 // --- Bodies, membranes -------------------------------------------------------------------------
-/// Where the mean stress of a body acts from: the cell average (cures locking and noise) or each particle.
-enum class PressureSupport { cell, particle };
+/// Where the mean stress of a body acts from: the cell average (cures locking and noise), each particle, or the nodal
+/// average of tri3 and tet4 (the paper's cure).
+enum class PressureSupport { cell, particle, nodal };
 
 struct BodySpec {
   std::string name;
@@ -156,7 +157,7 @@ struct MembraneSpec {
 };
 
 // --- Numerics ----------------------------------------------------------------------------------
-enum class Basis { bspline2, gimp, linear };
+enum class Basis { bspline2, gimp, linear, tri3, tet4 };
 enum class WallKind { slip, no_slip };
 enum class Transfer { apic, blend };
 

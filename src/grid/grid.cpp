@@ -125,6 +125,8 @@ Grid<Dim> make_grid(const Scene& scene) {
     for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
     grid.interior_value = interior_cell(grid.layout.basis).value;
   }
+  if (any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }))
+    for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) field->assign(n, 0.0);
   return grid;
 }
 

@@ -151,6 +151,7 @@ void clear_block(Grid<Dim>& grid, std::uint32_t block) {
     zero_block_row(grid.cell_pressure, begin, count);
     zero_block_row(grid.volume_rate, begin, count);
     zero_block_row(grid.cell_flags, begin, count);
+    for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) zero_block_row(*field, begin, count);
   });
 }
 

@@ -60,4 +60,10 @@ struct Linear {
   static TwoWeights at(double r, double) { return {1 - r, r, -1, 1}; }
 };
 
+/// Linear simplices, the paper's element: cells split regularly along their main diagonal into two triangles (tri3) or
+/// six tetrahedra (tet4). Not a product over the axes: see simplex.hpp. C = grad v as for GIMP.
+struct Simplex {
+  static constexpr double inertia_inverse = 0;
+};
+
 }  // namespace geodrop

@@ -5,6 +5,8 @@
 #include <geodrop/grid.hpp>
 #include <geodrop/state.hpp>
 
+#include <type_traits>
+
 #include "bases.hpp"
 
 // Kernel entries are compiled for x86-64-v4 (32 vector registers: no spills), x86-64-v3 (AVX2, FMA) and the baseline,
@@ -29,10 +31,9 @@ struct ChunkWeights {
   alignas(64) double reach[Dim][chunk_size];              ///< x_first - x_p [m]
 };
 
-/// Weights of `count` particles at x; `half_size` is half the width of a particle's domain (only GIMP asks) [h].
 template <int Dim, class Basis>
-void compute_weights(const GridLayout<Dim>& layout, const std::array<const double*, Dim>& x, double half_size,
-                     int count, ChunkWeights<Dim, Basis>& out) {
+void compute_product_weights(const GridLayout<Dim>& layout, const std::array<const double*, Dim>& x, double half_size,
+                             int count, ChunkWeights<Dim, Basis>& out) {
   constexpr int below = Basis::support - 2;  // the lowest node of the support lies that far below the base
   for (int k = 0; k < count; ++k) out.first[k] = 0;
   for (int a = 0; a < Dim; ++a) {
@@ -61,12 +62,71 @@ void compute_weights(const GridLayout<Dim>& layout, const std::array<const doubl
   }
 }
 
+/// Nodes along the path from the lowest corner of the cell to the highest, with one axis at a time.
+template <int Dim>
+struct ChunkWeights<Dim, Simplex> {
+  alignas(64) std::int32_t node[Dim + 1][chunk_size];
+  alignas(64) std::int32_t axis[Dim][chunk_size];  ///< from node n to node n + 1
+  alignas(64) double w[Dim + 1][chunk_size];       ///< N [-]
+  alignas(64) double reach[Dim][chunk_size];       ///< x of node 0 - x_p [m]
+};
+
+template <int Dim>
+void compute_simplex_weights(const GridLayout<Dim>& layout, const std::array<const double*, Dim>& x, int count,
+                             ChunkWeights<Dim, Simplex>& out) {
+  for (int k = 0; k < count; ++k) {
+    double f[Dim];
+    int axis[Dim], node = 0;
+    for (int a = 0; a < Dim; ++a) {
+      const double xi = (x[a][k] - layout.lower[a]) * layout.inv_h, base = __builtin_floor(xi);
+      node += (static_cast<std::int32_t>(base) + GridLayout<Dim>::pad) * layout.stride[a];
+      f[a] = xi - base;
+      axis[a] = a;
+      out.reach[a][k] = -f[a] * layout.h;
+    }
+    const auto order = [&](int i, int j) {
+      const bool swap = f[j] > f[i];
+      const double high = swap ? f[j] : f[i], low = swap ? f[i] : f[j];
+      const int first = swap ? axis[j] : axis[i], second = swap ? axis[i] : axis[j];
+      f[i] = high, f[j] = low, axis[i] = first, axis[j] = second;
+    };
+    order(0, 1);
+    if constexpr (Dim == 3) {
+      order(1, 2);
+      order(0, 1);
+    }
+    for (int n = 0; n <= Dim; ++n) {
+      out.node[n][k] = node;
+      out.w[n][k] = (n == 0 ? 1 : f[n - 1]) - (n == Dim ? 0 : f[n]);
+      if (n == Dim) break;
+      out.axis[n][k] = axis[n];
+      node += layout.stride[axis[n]];
+    }
+  }
+}
+
+/// Weights of `count` particles at x; `half_size` is half the width of a particle's domain (only GIMP asks) [h].
+template <int Dim, class Basis>
+void compute_weights(const GridLayout<Dim>& layout, const std::type_identity_t<std::array<const double*, Dim>>& x,
+                     double half_size, int count, ChunkWeights<Dim, Basis>& out) {
+  if constexpr (std::is_same_v<Basis, Simplex>)
+    compute_simplex_weights<Dim>(layout, x, count, out);
+  else
+    compute_product_weights<Dim, Basis>(layout, x, half_size, count, out);
+}
+
 /// Pressure cell (nearest node) of particle k of a chunk.
 template <int Dim, class Basis>
 int pressure_cell(const GridLayout<Dim>& layout, const ChunkWeights<Dim, Basis>& weights, int k) {
-  int cell = weights.first[k];
-  for (int a = 0; a < Dim; ++a) cell += layout.stride[a] * (Basis::support == 3 || weights.w[a][1][k] >= 0.5 ? 1 : 0);
-  return cell;
+  if constexpr (std::is_same_v<Basis, Simplex>) {
+    int cell = weights.node[0][k];
+    for (int a = 0; a < Dim; ++a) cell += weights.reach[a][k] <= -0.5 * layout.h ? layout.stride[a] : 0;
+    return cell;
+  } else {
+    int cell = weights.first[k];
+    for (int a = 0; a < Dim; ++a) cell += layout.stride[a] * (Basis::support == 3 || weights.w[a][1][k] >= 0.5 ? 1 : 0);
+    return cell;
+  }
 }
 
 /// Index of tensor component (a, b) in the stress order of types.hpp.

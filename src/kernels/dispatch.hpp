@@ -4,6 +4,7 @@
 #include "cell_sums.hpp"
 #include "kernels.hpp"
 #include "scatter.hpp"
+#include "simplex.hpp"
 
 namespace geodrop {
 
@@ -37,6 +38,11 @@ Maxima gather_dispatch(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptio
 template <int Dim>
 void sum_cells_dispatch(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   with_law(body.material, [&](const auto& law) { sum_cells_range(body, law, grid, begin, end); });
+}
+
+template <int Dim>
+void sum_nodal_pressure_dispatch(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
+  with_law(body.material, [&](const auto& law) { sum_nodal_pressure_range(body, law, grid, begin, end); });
 }
 
 }  // namespace geodrop

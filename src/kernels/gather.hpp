@@ -252,10 +252,19 @@ void update_chunk(Body<Dim>& body, const Law& law, const ChunkRates<Dim>& rates,
   for (; k < count; ++k) update_point<Dim, double>(body, local, rates, dt, p + k, k);
 }
 
-/// Volume rates of filled cells take the place of the particles' own.
+// Of simplex.hpp, for Basis = Simplex.
+template <int Dim, bool Blend>
+GatherSums<Dim> gather_simplex(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int k);
+template <int Dim>
+void take_nodal_rates(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, double dt, int count,
+                      ChunkRates<Dim>& rates);
+
+/// Volume rates of filled cells (or averaged nodal ones) take the place of the particles' own.
 template <int Dim, class Basis>
-void take_cell_rates(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, double dt,
-                     int count, ChunkRates<Dim>& rates) {
+void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights,
+                         double dt, int count, ChunkRates<Dim>& rates) {
+  if constexpr (std::is_same_v<Basis, Simplex>)
+    if (body.pressure == PressureSupport::nodal) return take_nodal_rates<Dim>(grid, weights, dt, count, rates);
   if (body.pressure != PressureSupport::cell) return;
   for (int k = 0; k < count; ++k) {
     const int cell = pressure_cell(grid.layout, weights, k);
@@ -279,13 +288,17 @@ Maxima gather_range(Body<Dim>& body, const Law& law, const Grid<Dim>& grid, cons
       x[a] = body.x[a].data() + p;
       std::copy_n(x[a], count, old_x[a]);
     }
-    compute_weights<Dim, Basis>(grid.layout, x, body.half_size, count, weights);
+    compute_weights(grid.layout, x, body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
       const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
-      store_sums<Dim, Basis, Blend>(body, gather_sums<Dim, Basis, Blend>(grid, weights, k), affine_scale, options.dt,
-                                    shift, p + k, k, rates);
+      GatherSums<Dim> sums;
+      if constexpr (std::is_same_v<Basis, Simplex>)
+        sums = gather_simplex<Dim, Blend>(grid, weights, k);
+      else
+        sums = gather_sums<Dim, Basis, Blend>(grid, weights, k);
+      store_sums<Dim, Basis, Blend>(body, sums, affine_scale, options.dt, shift, p + k, k, rates);
     }
-    take_cell_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
+    take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, Blend>(body, options, rates, p, count);
     if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
     finish_chunk(body, grid.layout, old_x, p, count, maxima);

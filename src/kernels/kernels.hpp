@@ -18,6 +18,14 @@ Maxima gather(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& optio
 template <int Dim>
 void sum_cells(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
 
+/// Adds N V and N V p of particles [begin, end) to the nodes of their simplices.
+template <int Dim>
+void sum_nodal_pressure(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
+
+/// Adds N V tr L of particles [begin, end) to the nodes of their simplices.
+template <int Dim>
+void sum_nodal_rate(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
+
 /// Calls f(basis policy) for the basis of the grid: one switch per range of particles.
 template <class F>
 auto with_basis(Basis basis, F&& f) {
@@ -26,9 +34,13 @@ auto with_basis(Basis basis, F&& f) {
       return f(Gimp{});
     case Basis::linear:
       return f(Linear{});
-    default:
-      return f(Bspline2{});
+    case Basis::tri3:
+    case Basis::tet4:
+      return f(Simplex{});
+    case Basis::bspline2:
+      break;
   }
+  return f(Bspline2{});
 }
 
 template <int Dim>

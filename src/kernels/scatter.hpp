@@ -95,8 +95,8 @@ void carried_stress(const Body<Dim>& body, const MohrCoulomb& soil, std::size_t 
 template <int Dim, class Basis>
 void own_pressure(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int count,
                   double* own) {
-  if (body.pressure == PressureSupport::particle) {
-    for (int k = 0; k < count; ++k) own[k] = 1;
+  if (body.pressure != PressureSupport::cell) {
+    std::fill_n(own, count, body.pressure == PressureSupport::particle ? 1.0 : 0.0);
     return;
   }
   for (int k = 0; k < count; ++k)
@@ -182,6 +182,14 @@ void scatter_particle(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout
   }
 }
 
+// Of simplex.hpp, for Basis = Simplex.
+template <int Dim, bool Separate>
+void scatter_simplex(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout,
+                     const ChunkWeights<Dim, Simplex>& weights, int k, Vec4* sum, Vec4* force);
+template <int Dim>
+void add_nodal_pressure(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int count,
+                        ChunkStress<Dim>& stress);
+
 /// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
 template <int Dim, class Basis, bool Separate, class Law>
 void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, double dt, std::size_t begin,
@@ -193,15 +201,20 @@ void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, doubl
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     std::array<const double*, Dim> x;
     for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
-    compute_weights<Dim, Basis>(grid.layout, x, body.half_size, count, weights);
+    compute_weights(grid.layout, x, body.half_size, count, weights);
     own_pressure<Dim, Basis>(body, grid, weights, count, own);
     carried_stress(body, law, p, count, own, stress);
+    if constexpr (std::is_same_v<Basis, Simplex>)
+      if (body.pressure == PressureSupport::nodal) add_nodal_pressure<Dim>(grid, weights, count, stress);
     if constexpr (!Separate)
       for (const int c : acting_components<Dim>)
         for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
     for (int k = 0; k < count; ++k) {
       const auto record = make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h);
-      scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+      if constexpr (std::is_same_v<Basis, Simplex>)
+        scatter_simplex<Dim, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+      else
+        scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
     }
   }
 }

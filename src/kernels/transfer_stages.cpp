@@ -60,6 +60,7 @@ void clear_grid(const State<Dim>& state, Grid<Dim>& grid) {
     zero(grid.force);
     zero(grid.cell_volume);
     zero(grid.cell_pressure);
+    for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) zero(*field);
   });
 }
 
@@ -68,6 +69,35 @@ void sum_particles_in_cells(const State<Dim>& state, Grid<Dim>& grid) {
   for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     sum_cells<Dim>(body, grid, begin, end);
   });
+}
+
+namespace {
+
+/// Sums over particles become means over the volumes that reach a node.
+template <int Dim>
+void divide_by_volume(const State<Dim>& state, Grid<Dim>& grid, Array<double>& field) {
+  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+    for (int node = begin; node < begin + count; ++node)
+      if (grid.node_volume[node] > 0) field[node] /= grid.node_volume[node];
+  });
+}
+
+}  // namespace
+
+template <int Dim>
+void average_nodal_pressure(const State<Dim>& state, Grid<Dim>& grid) {
+  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+    if (body.pressure == PressureSupport::nodal) sum_nodal_pressure<Dim>(body, grid, begin, end);
+  });
+  divide_by_volume(state, grid, grid.node_pressure);
+}
+
+template <int Dim>
+void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid) {
+  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+    if (body.pressure == PressureSupport::nodal) sum_nodal_rate<Dim>(body, grid, begin, end);
+  });
+  divide_by_volume(state, grid, grid.node_rate);
 }
 
 template <int Dim>
@@ -107,6 +137,8 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& g
 #define GEODROP_INSTANTIATE(D)                                           \
   template void clear_grid<D>(const State<D>&, Grid<D>&);                \
   template void sum_particles_in_cells<D>(const State<D>&, Grid<D>&);    \
+  template void average_nodal_pressure<D>(const State<D>&, Grid<D>&);    \
+  template void average_nodal_rate<D>(const State<D>&, Grid<D>&);        \
   template void particles_to_grid<D>(const State<D>&, Grid<D>&, double); \
   template void grid_to_particles<D>(const SolverSpec&, State<D>&, Grid<D>&, double);
 GEODROP_INSTANTIATE(2)

@@ -13,6 +13,14 @@ void clear_grid(const State<Dim>& state, Grid<Dim>& grid);
 template <int Dim>
 void sum_particles_in_cells(const State<Dim>& state, Grid<Dim>& grid);
 
+/// P_i of the nodes, for bodies with PressureSupport::nodal (simplex.hpp).
+template <int Dim>
+void average_nodal_pressure(const State<Dim>& state, Grid<Dim>& grid);
+
+/// D_i of the nodes from the new nodal velocities, likewise.
+template <int Dim>
+void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid);
+
 /// Mass, momentum and stress force of all bodies, colour by colour.
 template <int Dim>
 void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt);

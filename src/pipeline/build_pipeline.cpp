@@ -30,6 +30,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   using C = StepContext;
   const bool shift = any_body(scene, [](const BodySpec& b) { return b.shift; });
   const bool cell_pressure = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
+  const bool nodal_pressure = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::nodal; });
   const bool membranes = !scene.membranes.empty();
   const SolverSpec solver = scene.solver;
   std::array<double, Dim> gravity;
@@ -44,10 +45,12 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "sort_particles",    "positions -> order of all particle arrays, active blocks", [](S& s, G& g, const C&) { sort_particles_if_due(s, g); });
   add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S& s, G& g, const C&) { clear_grid(s, g); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
+  add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(s, g, gravity, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
+  add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { average_nodal_rate(s, g); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });

@@ -44,6 +44,17 @@ void check_shift(const Scene& scene, const BodySpec& body, const std::string& ke
   }
 }
 
+bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
+
+void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  if (!report.healthy("grid.basis") || !report.healthy(key + ".pressure")) return;
+  if (is_simplex(scene.grid.basis) && body.pressure == PressureSupport::cell)
+    report.add(key + ".pressure", "\"cell\" on a grid of simplices",
+               "nodal or particle (cells take their integrals from a basis that is a product over the axes)");
+  if (!is_simplex(scene.grid.basis) && body.pressure == PressureSupport::nodal)
+    report.add(key + ".pressure", "\"nodal\" with another basis than tri3 or tet4", "cell or particle");
+}
+
 }  // namespace
 
 void check_bodies(const Scene& scene, Report& report) {
@@ -53,6 +64,7 @@ void check_bodies(const Scene& scene, Report& report) {
     check_reference(key + ".material", scene.bodies[i].material, names_of(scene.materials), "materials", report);
     check_minus(scene, scene.bodies[i], key, report);
     check_shift(scene, scene.bodies[i], key, report);
+    check_pressure(scene, scene.bodies[i], key, report);
   }
 }
 

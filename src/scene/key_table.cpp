@@ -83,7 +83,7 @@ constexpr Key keys[] = {
     {"grid", "lower", point, "m", "", required, any, "lower corner of the domain"},
     {"grid", "upper", point, "m", "", required, any, "upper corner of the domain"},
     {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain"},
-    {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2|gimp|linear"), "shape functions: quadratic B-splines; hat functions averaged over the particles' domains (uGIMP); hat functions"},
+    {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2|gimp|linear|tri3|tet4"), "shape functions: quadratic B-splines; hat functions averaged over the particles' domains (uGIMP); hat functions; cells split into linear triangles (2D) or tetrahedra (3D)"},
 
     {"walls", "left", choice, "", "", required, words("slip|no_slip"), "wall at the lower x; never lets go"},
     {"walls", "right", choice, "", "", required, words("slip|no_slip"), "wall at the upper x; never lets go"},
@@ -125,7 +125,7 @@ constexpr Key keys[] = {
     {"bodies", "jitter_seed", integer, "", "", standard("0"), not_negative, "seed of the random offsets"},
     {"bodies", "initial_velocity", table, "", "", standard("{ type = \"rest\" }"), one_table, "velocity at the start"},
     {"bodies", "initial_stress", table, "", "", required, one_table, "stress at the start"},
-    {"bodies", "pressure", choice, "", "", standard("\"cell\""), words("cell|particle"), "where the mean stress acts from: the average of the cell, or each particle"},
+    {"bodies", "pressure", choice, "", "", standard("\"cell\""), words("cell|particle|nodal"), "where the mean stress acts from: the average of the cell (not on tri3, tet4), each particle, or (only on tri3, tet4) the average at the nodes"},
     {"bodies", "layers", integer, "", "", standard("1"), bands, "horizontal bands that colour the picture"},
     {"bodies", "shift", boolean, "", "", standard("false"), yes_no, "move particles out of clumps and into voids (fluids only)"},
     {"bodies", "shift_speed", real, "m/s", "", standard("0.0"), not_negative, "v0, shifting of a particle at rest"},

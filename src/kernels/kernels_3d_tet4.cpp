@@ -1,0 +1,28 @@
+// The kernels of 3D with four-node tetrahedra: one translation unit per (dimension, basis), see dispatch.hpp.
+#include "dispatch.hpp"
+
+namespace geodrop {
+
+template <>
+GEODROP_KERNEL void scatter<3, Simplex>(const Body<3>& body, Grid<3>& grid, double dt, std::size_t begin,
+                                        std::size_t end) {
+  scatter_dispatch<3, Simplex>(body, grid, dt, begin, end);
+}
+
+template <>
+GEODROP_KERNEL Maxima gather<3, Simplex>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
+                                         std::size_t begin, std::size_t end) {
+  return gather_dispatch<3, Simplex>(body, grid, options, begin, end);
+}
+
+template <>
+GEODROP_KERNEL void sum_nodal_pressure<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
+  sum_nodal_pressure_dispatch<3>(body, grid, begin, end);
+}
+
+template <>
+GEODROP_KERNEL void sum_nodal_rate<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
+  sum_nodal_rate_range<3>(body, grid, begin, end);
+}
+
+}  // namespace geodrop
