@@ -31,19 +31,28 @@ struct GridLayout {
   /// Blocks are what is cleared, updated and skipped: nodes per axis.
   static constexpr std::array<int, 3> block_width = {16, slab_width<Dim>, slab_width<Dim>};
 
-  double h = 0;                              ///< spacing [m]
-  double inv_h = 0;                          ///< [1/m]
-  std::array<double, Dim> lower{}, upper{};  ///< domain [m]
-  std::array<int, Dim> cells{};              ///< intervals per axis; nodes 0..cells
-  std::array<int, Dim> stored{};             ///< nodes per axis with ghosts
-  std::array<int, Dim> stride{};             ///< of the flat node index
-  std::array<int, Dim> blocks{};             ///< per axis
-  std::array<int, Dim> slabs{};              ///< per axis; 1 along x
-  std::array<WallKind, Dim> lower_wall{}, upper_wall{};
+  double h = 0;                                          ///< spacing [m]
+  double inv_h = 0;                                      ///< [1/m]
+  std::array<double, Dim> lower{}, upper{};              ///< domain [m]
+  std::array<int, Dim> cells{};                          ///< intervals per axis; nodes 0..cells
+  std::array<int, Dim> stored{};                         ///< nodes per axis with ghosts
+  std::array<int, Dim> stride{};                         ///< of the flat node index
+  std::array<int, Dim> blocks{};                         ///< per axis
+  std::array<int, Dim> slabs{};                          ///< per axis; 1 along x
+  std::array<WallKind, Dim> lower_wall{}, upper_wall{};  ///< both periodic or neither
   Basis basis = Basis::bspline2;
+  /// Where particles may be between two sorts [m]: the domain, and along a periodic axis a cell more on both sides.
+  std::array<double, Dim> particle_lower{}, particle_upper{};
 
   GridLayout() = default;
   GridLayout(const GridSpec& spec, const WallsSpec& walls);
+
+  bool periodic(int axis) const { return lower_wall[axis] == WallKind::periodic; }
+  /// The coordinate in the domain that a coordinate beyond a periodic wall stands for [m].
+  double wrapped(int axis, double x) const {
+    const double period = upper[axis] - lower[axis];
+    return periodic(axis) ? x - period * std::floor((x - lower[axis]) / period) : x;
+  }
 
   int nodes() const { return stride[Dim - 1] * stored[Dim - 1]; }
   int block_count() const;

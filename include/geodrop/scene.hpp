@@ -158,7 +158,7 @@ struct MembraneSpec {
 
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
-enum class WallKind { slip, no_slip };
+enum class WallKind { slip, no_slip, periodic };
 enum class Transfer { apic, blend };
 
 struct GridSpec {

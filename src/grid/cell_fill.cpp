@@ -2,6 +2,7 @@
 #include "cell_pressure.hpp"
 
 #include "neighbourhood.hpp"
+#include "seams.hpp"
 
 #include <atomic>
 
@@ -20,14 +21,15 @@ double cell_measure(const GridLayout<Dim>& layout) {
   return Dim == 2 ? layout.h * layout.h : layout.h * layout.h * layout.h;
 }
 
-/// Along a wall the neighbour beyond it is the mirror image.
+/// Along a wall the neighbour beyond it is the mirror image; along a periodic seam, the cell on the other side.
 template <int Dim>
 int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {
   int flat = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     int c = cell[axis] - GridLayout<Dim>::pad + a[axis] - 1;
-    if (c < 0) c = -c;
-    if (c > layout.cells[axis]) c = 2 * layout.cells[axis] - c;
+    const int cells = layout.cells[axis];
+    if (c < 0) c = layout.periodic(axis) ? c + cells : -c;
+    if (c > cells) c = layout.periodic(axis) ? c - cells : 2 * cells - c;
     flat += (c + GridLayout<Dim>::pad) * layout.stride[axis];
   }
   return flat;
@@ -112,6 +114,10 @@ void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
 
 template <int Dim>
 void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift) {
+  for_each_seam(grid.layout, [&](int axis) {
+    sum_over_seam(grid.layout, axis, grid.cell_volume);
+    sum_over_seam(grid.layout, axis, grid.cell_pressure);
+  });
   Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
   raw_fill(state, grid, fill);
   for_each_active_real_row(state, grid.layout, [&](int begin, int count, const std::array<int, Dim>& cell) {
@@ -124,6 +130,10 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     }
   });
   if (shift) mark_shiftable(state, grid);
+  for_each_seam(grid.layout, [&](int axis) {
+    copy_over_seam(grid.layout, axis, grid.cell_pressure);
+    copy_over_seam(grid.layout, axis, grid.cell_flags);
+  });
 }
 
 template void average_cell_pressure<2>(const State<2>&, Grid<2>&, bool);

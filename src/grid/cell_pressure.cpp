@@ -1,6 +1,7 @@
 #include "cell_pressure.hpp"
 
 #include "neighbourhood.hpp"
+#include "seams.hpp"
 
 namespace geodrop {
 namespace {
@@ -110,6 +111,7 @@ void cell_volume_rate(const State<Dim>& state, Grid<Dim>& grid) {
       grid.volume_rate[flat] = grid.cell_flags[flat] & cell_filled ? scale * flux[0][k] / grid.cell_volume[flat] : 0.0;
     }
   });
+  for_each_seam(grid.layout, [&](int axis) { copy_over_seam(grid.layout, axis, grid.volume_rate); });
 }
 
 #define GEODROP_INSTANTIATE(D)                                  \

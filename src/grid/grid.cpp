@@ -41,8 +41,9 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
   out.width.assign(stored, 0.0);
   for (int s = 0; s < stored; ++s) {
     const int cell = s - GridLayout<Dim>::pad;
-    const bool inside = cell >= 0 && cell <= layout.cells[axis];
-    const bool at_lower = cell == 0, at_upper = cell == layout.cells[axis];
+    const bool periodic = layout.periodic(axis);
+    const bool inside = periodic || (cell >= 0 && cell <= layout.cells[axis]);
+    const bool at_lower = !periodic && cell == 0, at_upper = !periodic && cell == layout.cells[axis];
     const WallKind wall = at_lower ? layout.lower_wall[axis] : layout.upper_wall[axis];
     const double parity = wall == WallKind::slip ? 1.0 : -1.0;
     const CellIntegral c = !inside ? none : at_lower || at_upper ? wall_cell(layout.basis, at_lower, parity) : interior;
@@ -70,6 +71,9 @@ GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls)
     slabs[a] = a == 0 ? 1 : (cells[a] + slab_width<Dim>) / slab_width<Dim>;
     lower_wall[a] = walls.lower[a];
     upper_wall[a] = walls.upper[a];
+    const double beyond = periodic(a) ? h : 0.0;
+    particle_lower[a] = lower[a] - beyond;
+    particle_upper[a] = upper[a] + beyond;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "blocks.hpp"
 #include "cell_pressure.hpp"
+#include "seams.hpp"
 
 namespace geodrop {
 namespace {
@@ -35,23 +36,33 @@ void for_each_wall_node(const GridLayout<Dim>& layout, int axis, F&& f) {
 template <int Dim>
 void fold_field(const GridLayout<Dim>& layout, Array<Vec4>& field) {
   if (field.empty()) return;
-  for (int axis = 0; axis < Dim; ++axis)
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (layout.periodic(axis)) {
+      sum_over_seam(layout, axis, field);
+      continue;
+    }
     for_each_wall_node(layout, axis, [&](int node, int inward, WallKind wall) {
       field[node + inward] += mirror<Dim>(wall, axis, field[node - inward]);
       field[node - inward] = Vec4{};
     });
+  }
 }
 
 /// Velocity of walls and of their ghost nodes.
 template <int Dim>
 void impose_walls(const GridLayout<Dim>& layout, Array<Vec4>& field) {
   if (field.empty()) return;
-  for (int axis = 0; axis < Dim; ++axis)
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (layout.periodic(axis)) {
+      copy_over_seam(layout, axis, field);
+      continue;
+    }
     for_each_wall_node(layout, axis, [&](int node, int inward, WallKind wall) {
       for (int c = 0; c < Dim; ++c)
         if (mirror_sign(wall, axis, c) < 0) field[node][c] = 0;
       field[node - inward] = mirror<Dim>(wall, axis, field[node + inward]);
     });
+  }
 }
 
 /// Volume of particles over volume of the node's cell [-]: what particles shift down the gradient of. The smooth spline
@@ -103,8 +114,11 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
   }
 }
 
+/// Hands an impulse to the neighbourhood of a node. Of the nodes that a periodic seam doubles, the lower one acts and
+/// takes for both; impose_walls copies it.
 template <int Dim>
 void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
+  if (node_of_seam(grid.layout, flat) != flat) return;
   std::array<int, Dim == 2 ? 9 : 27> around;
   int n = 0;
   for (int z = -(Dim == 3); z <= (Dim == 3); ++z)
@@ -115,8 +129,9 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
   for (const int other : around) mass += grid.sum[other][3];
   impulse[3] = 0;
   const Vec4 change = impulse / mass;
-  for (const int other : around) {
-    if (grid.sum[other][3] <= 0) continue;
+  for (const int neighbour : around) {
+    if (grid.sum[neighbour][3] <= 0) continue;
+    const int other = node_of_seam(grid.layout, neighbour);
     grid.velocity[other] += change;
     if (!grid.velocity_change.empty()) grid.velocity_change[other] += change;
   }

@@ -7,7 +7,7 @@
 namespace geodrop {
 
 /// Folds what particles scattered beyond the walls onto the mirror nodes: normal component with sign -1, tangential
-/// with +1 (slip) or -1 (no-slip).
+/// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums.
 template <int Dim>
 void fold_walls(Grid<Dim>& grid);
 

@@ -89,8 +89,22 @@ void permute_body(Body<Dim>& body, const Array<std::uint32_t>& order) {
   permute(body.id, order, id_scratch);
 }
 
+/// Particles beyond a periodic wall come in at the other one.
+template <int Dim>
+void wrap_particles(Body<Dim>& body, const GridLayout<Dim>& layout) {
+  for (int a = 0; a < Dim; ++a) {
+    if (!layout.periodic(a)) continue;
+    const auto n = static_cast<std::ptrdiff_t>(body.size());
+    double* const x = body.x[a].data();
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t p = 0; p < n; ++p)
+      if (x[p] < layout.lower[a] || x[p] > layout.upper[a]) x[p] = layout.wrapped(a, x[p]);
+  }
+}
+
 template <int Dim>
 void sort_body(const State<Dim>& state, Body<Dim>& body, const GridLayout<Dim>& layout) {
+  wrap_particles(body, layout);
   const KeySpace<Dim> space(layout);
   const int slabs = layout.slab_count();
   Array<std::uint32_t> keys;
@@ -134,6 +148,23 @@ void mark_blocks(const std::array<Array<double>, Dim>& x, const GridLayout<Dim>&
   }
 }
 
+/// Both sides of a periodic seam are one place: blocks there are active together.
+template <int Dim>
+void mark_across_seams(const GridLayout<Dim>& layout, std::vector<std::uint8_t>& marks) {
+  for (int a = 0, stride = 1; a < Dim; stride *= layout.blocks[a], ++a) {
+    if (!layout.periodic(a)) continue;
+    for (int node = 0; node <= 2 * GridLayout<Dim>::pad; ++node) {
+      const int low = node / GridLayout<Dim>::block_width[a];
+      const int high = (node + layout.cells[a]) / GridLayout<Dim>::block_width[a];
+      for (int block = 0; block < layout.block_count(); ++block) {
+        if (block / stride % layout.blocks[a] != low) continue;
+        const int image = block + (high - low) * stride;
+        marks[block] = marks[image] = marks[block] | marks[image];
+      }
+    }
+  }
+}
+
 template <class T>
 void zero_block_row(Array<T>& field, int begin, int count) {
   if (!field.empty()) std::fill_n(field.begin() + begin, count, T{});
@@ -160,6 +191,7 @@ void renew_active_blocks(State<Dim>& state, Grid<Dim>& grid) {
   std::vector<std::uint8_t> marks(grid.layout.block_count(), 0);
   for (const Body<Dim>& body : state.bodies) mark_blocks<Dim>(body.x, grid.layout, marks);
   for (const Membrane<Dim>& membrane : state.membranes) mark_blocks<Dim>(membrane.x, grid.layout, marks);
+  mark_across_seams(grid.layout, marks);
   for (const std::uint32_t block : state.active_blocks)
     if (!marks[block]) clear_block(grid, block);
   state.active_blocks.clear();

@@ -158,8 +158,9 @@ struct Maxima {
   bool outside = false;  ///< a particle is not a point of the domain
 };
 
-/// Keeps particles on the domain's side of walls that round-off carried them across (anything larger is reported by
-/// sort_particles) and collects maxima. `old_x` is the position before the step.
+/// Keeps particles on the domain's side of walls that round-off carried them across and collects maxima. What is
+/// farther off falls due to sort_particles, which reports it or takes it across a periodic wall. `old_x` is the
+/// position before the step.
 template <int Dim>
 void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (&old_x)[Dim][chunk_size], std::size_t p,
                   int count, Maxima& maxima) {
@@ -170,7 +171,7 @@ void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (
   for (int a = 0; a < Dim; ++a) {
     double* const x = body.x[a].data() + p;
     const double* const v = body.v[a].data() + p;
-    const double lower = layout.lower[a], upper = layout.upper[a];
+    const double lower = layout.particle_lower[a], upper = layout.particle_upper[a];
 #pragma omp simd reduction(max : displacement) reduction(| : outside)
     for (int k = 0; k < count; ++k) {
       double moved = x[k];

@@ -188,16 +188,24 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
 
 /// A tracer has no extent of its own; with Basis::gimp it sees what a particle of a quarter cell's half width sees [h].
 constexpr double tracer_half_size = 0.25;
+/// Where a tracer is seen; its own coordinates run on across periodic walls, so that displacements do not jump.
+template <int Dim>
+std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<double, Dim> x) {
+  for (int a = 0; a < Dim; ++a) x[a] = layout.wrapped(a, x[a]);
+  return x;
+}
 
 template <int Dim>
 void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
   for (Tracer<Dim>& tracer : state.tracers) {
-    const Vec4 v = interpolate(grid.layout, PointSupport<Dim>(grid.layout, tracer.x, tracer_half_size), grid.velocity);
+    const Vec4 v = interpolate(grid.layout,
+                               PointSupport<Dim>(grid.layout, in_domain<Dim>(grid.layout, tracer.x), tracer_half_size),
+                               grid.velocity);
     for (int a = 0; a < Dim; ++a) {
       tracer.v[a] = v[a];
       tracer.x[a] += dt * v[a];
     }
-    check_on_grid<Dim>(grid.layout, tracer.x, "tracer", tracer.name);
+    check_on_grid<Dim>(grid.layout, in_domain<Dim>(grid.layout, tracer.x), "tracer", tracer.name);
   }
 }
 

@@ -1,6 +1,8 @@
 #include "check_scene.hpp"
 #include "nearest_name.hpp"
 
+#include "../grid/seams.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,8 +69,30 @@ void check_grid(const Scene& scene, Report& report) {
   report.add("grid.spacing", to_text(grid.spacing) + ", which is " + count(cells), "at most " + count(kMostCells));
 }
 
+/// Periodic walls come in pairs.
+void check_walls(const Scene& scene, Report& report) {
+  constexpr const char* kWalls[][2] = {{"left", "right"}, {"bottom", "top"}};
+  if (!report.healthy("walls")) return;
+  for (std::size_t axis = 0; axis < scene.walls.lower.size(); ++axis) {
+    const bool lower = scene.walls.lower[axis] == WallKind::periodic;
+    const bool upper = scene.walls.upper[axis] == WallKind::periodic;
+    const std::string here = kWalls[axis][lower ? 0 : 1], opposite = kWalls[axis][lower ? 1 : 0], key = "walls." + here;
+    if (!lower && !upper) continue;
+    if (lower != upper)
+      report.add(key, "\"periodic\", while " + opposite + " is not",
+                 "\"periodic\" for both of opposite walls or for neither");
+    if (!scene.membranes.empty()) report.add(key, "\"periodic\" in a scene with membranes", "\"slip\" or \"no_slip\"");
+    if (!report.healthy("grid")) continue;
+    const double cells = (scene.grid.upper[axis] - scene.grid.lower[axis]) / scene.grid.spacing;
+    if (std::lround(cells) < fewest_periodic_cells)
+      report.add(key, "\"periodic\" over " + std::to_string(std::lround(cells)) + " cells",
+                 "at least " + std::to_string(fewest_periodic_cells) + " cells between periodic walls");
+  }
+}
+
 void check_scene(const Scene& scene, Report& report) {
   check_grid(scene, report);
+  check_walls(scene, report);
   check_materials(scene, report);
   check_bodies(scene, report);
   check_initial_stress(scene, report);

@@ -19,6 +19,7 @@ enum class Outline { open, closed };
 void check_scene(const Scene& scene, Report& report);
 
 void check_grid(const Scene& scene, Report& report);
+void check_walls(const Scene& scene, Report& report);
 void check_materials(const Scene& scene, Report& report);
 void check_bodies(const Scene& scene, Report& report);
 void check_initial_stress(const Scene& scene, Report& report);

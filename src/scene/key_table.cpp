@@ -45,7 +45,13 @@ constexpr Section sections[] = {
     {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
     {"walls", "[walls]", "",
      "How the four edges of the domain hold what touches them. Walls never let go: no_slip holds material in all "
-     "directions, slip in the normal one, also where it would pull away (there is no separation)."},
+     "directions, slip in the normal one, also where it would pull away (there is no separation). Of two opposite "
+     "walls both "
+     "or neither are periodic: what leaves on one side comes in at the other. Such an axis has at least 5 cells, and "
+     "the "
+     "scene no membranes. Between two sorts particles may be up to a cell beyond a periodic wall; positions of tracers "
+     "run "
+     "on across it."},
     {"solver", "[solver]", "", "The scheme."},
     {"time", "[time]", "", "How long to run."},
     {"output", "[output]", "", "What is written, how often."},
@@ -85,10 +91,10 @@ constexpr Key keys[] = {
     {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain"},
     {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2|gimp|linear|tri3|tet4"), "shape functions: quadratic B-splines; hat functions averaged over the particles' domains (uGIMP); hat functions; cells split into linear triangles (2D) or tetrahedra (3D)"},
 
-    {"walls", "left", choice, "", "", required, words("slip|no_slip"), "wall at the lower x; never lets go"},
-    {"walls", "right", choice, "", "", required, words("slip|no_slip"), "wall at the upper x; never lets go"},
-    {"walls", "bottom", choice, "", "", required, words("slip|no_slip"), "wall at the lower y; never lets go"},
-    {"walls", "top", choice, "", "", required, words("slip|no_slip"), "wall at the upper y; never lets go"},
+    {"walls", "left", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower x; never lets go"},
+    {"walls", "right", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper x; never lets go"},
+    {"walls", "bottom", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y; never lets go"},
+    {"walls", "top", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y; never lets go"},
 
     {"solver", "transfer", choice, "", "", required, words("apic|blend"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own"},
     {"solver", "blend_rate", real, "1/s", "transfer=blend", required, positive, "lambda; particles keep exp(-lambda dt) of their own velocity each step"},

@@ -43,3 +43,8 @@ TEST_CASE("Elastic column: one hash for 1, 2, 3 and 5 threads") {
   check_threads("cases/gravity_column.toml",
                 {"grid.spacing=0.0125", "grid.upper.0=0.4", "bodies.column.shape.upper.0=0.4", "time.end=0.02"});
 }
+
+TEST_CASE("Periodic walls: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("tests/scenes/periodic.toml",
+                {"grid.spacing=0.125", "bodies.water.particles_per_cell_axis=3", "time.end=0.2"});
+}
