@@ -36,14 +36,21 @@ struct MohrCoulomb {
   double pore_stiffness;  ///< K_f / n [Pa]; 0: drained
 };
 
-using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb>;
+/// Compressible neo-Hookean solid at finite strain; needs the deformation gradient.
+struct NeoHookean {
+  double density;        ///< unstrained [kg/m3]
+  double lame_lambda;    ///< [Pa]
+  double shear_modulus;  ///< mu [Pa]
+};
+
+using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean>;
 
 Material make_material(const MaterialSpec& spec);
 
 /// Density at zero pressure (fluid) or at the start (soil) [kg/m3].
 double reference_density(const Material& material);
 
-/// Speed of elastic compression waves, pore fluid included [m/s].
+/// Speed of elastic compression waves at zero strain, pore fluid included [m/s].
 double wave_speed(const Material& material);
 
 /// Kinematic viscosity that limits the explicit time step [m2/s]; 0 for solids.

@@ -101,4 +101,36 @@ template <class R>
   return {root(a.low), root(a.high)};
 }
 
+/// Natural logarithm; NaN where `a` is not positive. Packets to 2 units in the last place of the larger of 1 and the
+/// result.
+[[gnu::always_inline]] inline double log(double a) { return a > 0 ? __builtin_log(a) : __builtin_nan(""); }
+[[gnu::always_inline]] inline Packet::Half log(Packet::Half a) {
+  using Bits [[gnu::vector_size(32)]] = long long;
+  const Bits bits = __builtin_bit_cast(Bits, a);
+  // a = 2^e m: the exponent becomes a double through the lower bits of 2^52, m lies in [1, 2), then in [0.7, 1.42).
+  const Bits shifted = ((bits >> 52) & 0x7ff) | 0x4330000000000000;
+  const Bits fraction = (bits & 0xfffffffffffff) | 0x3ff0000000000000;
+  constexpr double two_52 = 4503599627370496.0, bias = 1023, root_2 = 1.4142135623730951;
+  Packet::Half e = __builtin_bit_cast(Packet::Half, shifted) - (two_52 + bias);
+  Packet::Half m = __builtin_bit_cast(Packet::Half, fraction);
+  const auto high = m > root_2;
+  m = high ? 0.5 * m : m;
+  e = high ? e + 1.0 : e;
+  // ln m = 2 artanh s, |s| < 0.172: the first term left out is 2 s^21 / 21 < 1e-17.
+  const Packet::Half s = (m - 1.0) / (m + 1.0), q = s * s;
+  Packet::Half series = q * (1.0 / 19) + 1.0 / 17;
+  series = series * q + 1.0 / 15;
+  series = series * q + 1.0 / 13;
+  series = series * q + 1.0 / 11;
+  series = series * q + 1.0 / 9;
+  series = series * q + 1.0 / 7;
+  series = series * q + 1.0 / 5;
+  series = series * q + 1.0 / 3;
+  constexpr double ln_2 = 0.6931471805599453;
+  const Packet::Half result = e * ln_2 + (2.0 * s + 2.0 * s * q * series);
+  const Packet::Half nothing = {__builtin_nan(""), __builtin_nan(""), __builtin_nan(""), __builtin_nan("")};
+  return a > 0.0 ? result : nothing;
+}
+[[gnu::always_inline]] inline Packet log(Packet a) { return {log(a.low), log(a.high)}; }
+
 }  // namespace geodrop

@@ -52,6 +52,13 @@ struct LinearElasticSpec {
   double poissons_ratio = 0;  ///< [-]
   bool operator==(const LinearElasticSpec&) const = default;
 };
+/// Compressible neo-Hookean solid: sigma = (mu / J) (F F^T - I) + (lambda ln J / J) I.
+struct NeoHookeanSpec {
+  double density = 0;         ///< unstrained [kg/m3]
+  double youngs_modulus = 0;  ///< at small strain [Pa]
+  double poissons_ratio = 0;  ///< [-]
+  bool operator==(const NeoHookeanSpec&) const = default;
+};
 /// Fluid in the pores of an undrained soil: pore pressure rate = -(K_f / n) div v.
 struct UndrainedSpec {
   double porosity = 0;            ///< [-]
@@ -72,7 +79,7 @@ struct MohrCoulombSpec {
 };
 struct MaterialSpec {
   std::string name;
-  std::variant<NewtonianSpec, LinearElasticSpec, MohrCoulombSpec> model;
+  std::variant<NewtonianSpec, LinearElasticSpec, MohrCoulombSpec, NeoHookeanSpec> model;
   SourceRef at;
   bool operator==(const MaterialSpec&) const = default;
 };

@@ -30,10 +30,11 @@ struct Body {
   Array<double> mass;                           ///< [kg], per metre of depth in 2D
   Array<double> J;                              ///< volume ratio to the reference density [-]
   std::array<Array<double>, stress_components<Dim>>
-      stress;                       ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
-  Array<double> pore_pressure;      ///< undrained soil [Pa]
-  Array<double> deviatoric_strain;  ///< soil: accumulated sqrt(2/3 e:e) [-]
-  Array<std::uint32_t> id;          ///< index at the start
+      stress;                                        ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
+  std::array<Array<double>, Dim * Dim> deformation;  ///< neo-Hookean: F, row-major [-]
+  Array<double> pore_pressure;                       ///< undrained soil [Pa]
+  Array<double> deviatoric_strain;                   ///< soil: accumulated sqrt(2/3 e:e) [-]
+  Array<std::uint32_t> id;                           ///< index at the start
 
   // Indexed by id, so never permuted:
   std::array<Array<double>, Dim> initial_x;  ///< [m]

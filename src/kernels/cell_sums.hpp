@@ -41,6 +41,12 @@ void volumes_and_pressures(const Body<Dim>& body, const MohrCoulomb& soil, std::
   solid_volumes_and_pressures(body, soil.density, begin, count, volume, pressure);
 }
 
+template <int Dim>
+void volumes_and_pressures(const Body<Dim>& body, const NeoHookean& solid, std::size_t begin, int count, double* volume,
+                           double* pressure) {
+  solid_volumes_and_pressures(body, solid.density, begin, count, volume, pressure);
+}
+
 template <int Dim, class Law>
 void sum_cells_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   alignas(64) double volume[chunk_size], pressure[chunk_size];

@@ -13,6 +13,7 @@ template <class F>
 auto with_law(const Material& material, F&& f) {
   if (const auto* water = std::get_if<Newtonian>(&material)) return f(*water);
   if (const auto* solid = std::get_if<LinearElastic>(&material)) return f(*solid);
+  if (const auto* rubber = std::get_if<NeoHookean>(&material)) return f(*rubber);
   return f(*std::get_if<MohrCoulomb>(&material));
 }
 

@@ -245,6 +245,20 @@ void update_point(Body<Dim>& body, const MohrCoulomb& soil, const ChunkRates<Dim
     store(&body.pore_pressure[p], load<R>(&body.pore_pressure[p]) + pore_pressure_increment(soil, volume));
 }
 
+/// J is det F: the volume rate of the cell has no part in it.
+template <int Dim, class R>
+void update_point(Body<Dim>& body, const NeoHookean& solid, const ChunkRates<Dim>& rates, double, std::size_t p,
+                  int k) {
+  std::array<R, Dim * Dim> F;
+  for (int c = 0; c < Dim * Dim; ++c) F[c] = load<R>(&body.deformation[c][p]);
+  deform<Dim, R>(load_increment<Dim, R>(rates, k), F);
+  const R J = determinant<R>(F);
+  const auto sigma = neo_hookean_stress<Dim, R>(solid, F, J);
+  for (int c = 0; c < Dim * Dim; ++c) store(&body.deformation[c][p], F[c]);
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
+  store(&body.J[p], J);
+}
+
 template <int Dim, class Law>
 void update_chunk(Body<Dim>& body, const Law& law, const ChunkRates<Dim>& rates, double dt, std::size_t p, int count) {
   const Law local = law;  // through the reference its constants would be read again for each packet (up to 8 % in 2D)

@@ -91,6 +91,12 @@ void carried_stress(const Body<Dim>& body, const MohrCoulomb& soil, std::size_t 
   carried_solid_stress(body, soil.density, begin, count, own, out);
 }
 
+template <int Dim>
+void carried_stress(const Body<Dim>& body, const NeoHookean& solid, std::size_t begin, int count, const double* own,
+                    ChunkStress<Dim>& out) {
+  carried_solid_stress(body, solid.density, begin, count, own, out);
+}
+
 /// 1 where the particle's own pressure acts, 0 where its cell carries the pressure.
 template <int Dim, class Basis>
 void own_pressure(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int count,

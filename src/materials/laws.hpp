@@ -3,5 +3,6 @@
 
 #include "linear_elastic.hpp"
 #include "mohr_coulomb.hpp"
+#include "neo_hookean.hpp"
 #include "newtonian.hpp"
 #include "undrained.hpp"

@@ -44,8 +44,14 @@ MohrCoulomb make(const MohrCoulombSpec& spec) {
   return soil;
 }
 
+NeoHookean make(const NeoHookeanSpec& spec) {
+  const double shear = shear_modulus(spec.youngs_modulus, spec.poissons_ratio);
+  return {spec.density, bulk_modulus(spec.youngs_modulus, spec.poissons_ratio) - 2.0 / 3.0 * shear, shear};
+}
+
 double wave_modulus(const Newtonian& fluid) { return fluid.bulk_modulus; }
 double wave_modulus(const LinearElastic& solid) { return confined_modulus(solid.bulk_modulus, solid.shear_modulus); }
+double wave_modulus(const NeoHookean& solid) { return solid.lame_lambda + 2 * solid.shear_modulus; }
 double wave_modulus(const MohrCoulomb& soil) {
   return confined_modulus(soil.bulk_modulus, soil.shear_modulus) + soil.pore_stiffness;
 }

@@ -34,9 +34,9 @@ auto members(Part& part) {
   using Plain = std::remove_const_t<Part>;
   if constexpr (is_body<Plain>) {
     auto& [name, material_name, material, pressure, shift, shift_speed, half_size, x, v, affine, mass, J, stress,
-           pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin] = part;
+           deformation, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin] = part;
     return std::tie(name, material_name, material, pressure, shift, shift_speed, half_size, x, v, affine, mass, J,
-                    stress, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
+                    stress, deformation, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
            strain, tension, tension_peak] = part;
@@ -82,7 +82,8 @@ void walk_material(Archive& archive, Material& material) {
   if (index == 0) material = Newtonian{};
   if (index == 1) material = LinearElastic{};
   if (index == 2) material = MohrCoulomb{};
-  static_assert(std::variant_size_v<Material> == 3, "name the new law here");
+  if (index == 3) material = NeoHookean{};
+  static_assert(std::variant_size_v<Material> == 4, "name the new law here");
   std::visit([&](auto& law) { archive.bytes(reinterpret_cast<double*>(&law), sizeof(law) / sizeof(double)); },
              material);
 }

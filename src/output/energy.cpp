@@ -4,6 +4,7 @@
 #include <geodrop/measure.hpp>
 
 #include "fixed_order_sum.hpp"
+#include "materials/neo_hookean.hpp"
 
 namespace geodrop {
 namespace {
@@ -47,6 +48,13 @@ double strain_energy(const MohrCoulomb& soil, const Body<Dim>& body, std::size_t
   if (body.pore_pressure.empty() || soil.pore_stiffness <= 0) return skeleton;
   const double u = body.pore_pressure[p];
   return skeleton + body.volume(p) * u * u / (2 * soil.pore_stiffness);
+}
+
+template <int Dim>
+double strain_energy(const NeoHookean& solid, const Body<Dim>& body, std::size_t p) {
+  std::array<double, Dim * Dim> F;
+  for (int c = 0; c < Dim * Dim; ++c) F[c] = body.deformation[c][p];
+  return body.mass[p] / solid.density * neo_hookean_energy<Dim>(solid, F, body.J[p]);
 }
 
 template <int Dim>

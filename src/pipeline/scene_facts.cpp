@@ -23,6 +23,7 @@ double particle_bytes(const Body<Dim>& body) {
   for (const auto& values : body.v) sum += bytes(values);
   for (const auto& values : body.affine) sum += bytes(values);
   for (const auto& values : body.stress) sum += bytes(values);
+  for (const auto& values : body.deformation) sum += bytes(values);
   for (const auto& values : body.initial_x) sum += bytes(values);
   return sum;
 }

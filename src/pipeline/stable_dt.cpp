@@ -5,6 +5,8 @@
 #include <geodrop/pipeline.hpp>
 #include <sstream>
 
+#include "../materials/neo_hookean.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -14,6 +16,24 @@ double density_beside(const State<Dim>& state, const Membrane<Dim>& membrane) {
   for (const Body<Dim>& body : state.bodies)
     if (body.name == membrane.body) return reference_density(body.material);
   return 0;
+}
+
+/// Of compression waves [m2/s2]. A neo-Hookean solid stiffens where it is stretched or squeezed, hence the present
+/// strain of every particle counts; a NaN is left to v_max, which shows it a step later.
+template <int Dim>
+double wave_speed_squared(const Body<Dim>& body) {
+  double c2 = std::pow(wave_speed(body.material), 2);
+  const auto* solid = std::get_if<NeoHookean>(&body.material);
+  if (!solid) return c2;
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+  double modulus = 0;
+#pragma omp parallel for schedule(static) reduction(max : modulus)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    std::array<double, Dim * Dim> F;
+    for (int c = 0; c < Dim * Dim; ++c) F[c] = body.deformation[c][p];
+    modulus = std::max(modulus, neo_hookean_wave_modulus<Dim>(*solid, F, body.J[p]));
+  }
+  return std::max(c2, modulus / solid->density);
 }
 
 /// A mass-proportional damping beta leaves (2/omega)(sqrt(1 + xi^2) - xi) of the step, xi = beta / (2 omega).
@@ -35,7 +55,7 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
   }
   double c2 = 0, membrane2 = 0, nu = 0;
   for (const Body<Dim>& body : state.bodies) {
-    c2 = std::max(c2, std::pow(wave_speed(body.material), 2));
+    c2 = std::max(c2, wave_speed_squared(body));
     nu = std::max(nu, kinematic_viscosity(body.material));
   }
   for (const Membrane<Dim>& membrane : state.membranes)

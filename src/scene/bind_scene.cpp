@@ -116,6 +116,8 @@ MaterialSpec bind_material(const std::string& name, const Fields& f, SourceRef a
   const std::string model = f.text("model");
   if (model == "newtonian") material.model = bind_newtonian(f);
   if (model == "mohr_coulomb") material.model = bind_mohr_coulomb(f);
+  if (model == "neo_hookean")
+    material.model = NeoHookeanSpec{f.real("density"), f.real("youngs_modulus"), f.real("poissons_ratio")};
   if (model == "linear_elastic") {
     material.model = LinearElasticSpec{f.real("density"), f.real("youngs_modulus"), f.real("poissons_ratio")};
   }

@@ -46,12 +46,23 @@ void check_shift(const Scene& scene, const BodySpec& body, const std::string& ke
 
 bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
 
+bool is_neo_hookean(const Scene& scene, const BodySpec& body, const Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  return material && report.healthy("materials." + material->name + ".model") &&
+         std::holds_alternative<NeoHookeanSpec>(material->model);
+}
+
 void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   if (!report.healthy("grid.basis") || !report.healthy(key + ".pressure")) return;
-  if (is_simplex(scene.grid.basis) && body.pressure == PressureSupport::cell)
+  const bool simplex = is_simplex(scene.grid.basis);
+  // The volume of a neo-Hookean particle is det F, which cannot follow an averaged rate of volume.
+  if (body.pressure != PressureSupport::particle && is_neo_hookean(scene, body, report))
+    report.add(key + ".pressure", "not \"particle\" for a body of \"" + body.material + '"',
+               "\"particle\", as the material is neo_hookean");
+  else if (simplex && body.pressure == PressureSupport::cell)
     report.add(key + ".pressure", "\"cell\" on a grid of simplices",
                "nodal or particle (cells take their integrals from a basis that is a product over the axes)");
-  if (!is_simplex(scene.grid.basis) && body.pressure == PressureSupport::nodal)
+  else if (!simplex && body.pressure == PressureSupport::nodal)
     report.add(key + ".pressure", "\"nodal\" with another basis than tri3 or tet4", "cell or particle");
 }
 

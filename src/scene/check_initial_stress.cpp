@@ -41,6 +41,12 @@ void check_type(const BodyView& view) {
     view.report.add(view.stress() + ".type", "\"hydrostatic\"" + of,
                     "\"zero\", \"k0\" or \"fluid_pressure\" for a body that is no fluid");
   }
+  if (std::holds_alternative<NeoHookeanSpec>(material->model) &&
+      !std::holds_alternative<ZeroStressSpec>(view.body.initial_stress)) {
+    view.report.add(view.stress() + ".type", "a stress without strain" + of,
+                    "\"zero\", as the stress of a neo_hookean material follows from its strain");
+    return;
+  }
   const bool solid_only = std::holds_alternative<K0StressSpec>(view.body.initial_stress) ||
                           std::holds_alternative<FluidPressureSpec>(view.body.initial_stress);
   if (solid_only && is_fluid(*material)) {

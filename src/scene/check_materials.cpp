@@ -52,6 +52,7 @@ void check_units(const MaterialSpec& material, const std::string& key, Report& r
   };
   if (const auto* solid = std::get_if<LinearElasticSpec>(&material.model)) check_solid(*solid);
   if (const auto* soil = std::get_if<MohrCoulombSpec>(&material.model)) check_solid(*soil);
+  if (const auto* rubber = std::get_if<NeoHookeanSpec>(&material.model)) check_solid(*rubber);
 }
 
 void check_pore_fluid(const MohrCoulombSpec& soil, const std::string& key, Report& report) {

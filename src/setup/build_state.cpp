@@ -30,6 +30,8 @@ void allocate(Body<Dim>& body) {
   const auto* water = std::get_if<Newtonian>(&body.material);
   if (!water || water->viscosity > 0)
     for (auto& component : body.stress) component.assign(n, 0.0);
+  if (std::holds_alternative<NeoHookean>(body.material))
+    for (int c = 0; c < Dim * Dim; ++c) body.deformation[c].assign(n, c % (Dim + 1) == 0 ? 1.0 : 0.0);
   if (const auto* soil = std::get_if<MohrCoulomb>(&body.material)) {
     body.deviatoric_strain.assign(n, 0.0);
     if (soil->pore_stiffness > 0) body.pore_pressure.assign(n, 0.0);

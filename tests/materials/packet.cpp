@@ -72,6 +72,26 @@ TEST_CASE("Packet functions do lane by lane what the scalar functions do") {
   }
 }
 
+TEST_CASE("The logarithm of a packet is that of each lane, over all magnitudes") {
+  Dice dice;
+  for (int repeat = 0; repeat < 2000; ++repeat) {
+    Lanes a;
+    for (double& value : a)
+      value = repeat % 2 ? std::exp(dice.uniform(-700, 700)) : 1 + dice.normal() * std::pow(10, -dice.uniform(1, 16));
+    const Lanes logarithm = unpack(log(pack(a)));
+    for (int k = 0; k < packet_width; ++k) {
+      CAPTURE(a[k]);
+      const double expected = std::log(a[k]);
+      CHECK(std::abs(logarithm[k] - expected) <= 4e-16 * std::max(std::abs(expected), std::abs(a[k] - 1)));
+    }
+  }
+  const Lanes edge = unpack(log(pack({1.0, 0.0, -2.0, std::nan(""), 2.0, 0.5, 4.0, 1e300})));
+  CHECK(edge[0] == 0);
+  for (const int k : {1, 2, 3}) CHECK(std::isnan(edge[k]));
+  CHECK(edge[4] == doctest::Approx(std::log(2.0)));
+  CHECK(std::isnan(geodrop::log(-1.0)));
+}
+
 TEST_CASE("A mask is true somewhere if one lane is, whichever") {
   for (int lane = 0; lane < packet_width; ++lane) {
     Lanes values{};
