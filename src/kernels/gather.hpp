@@ -5,8 +5,7 @@
 //   J  *= 1 + dt D,  D = D_c in filled cells, tr L elsewhere                  design.md section 2, steps 4 and 5
 #pragma once
 
-#include "../materials/laws.hpp"
-#include "chunk.hpp"
+#include "chunk_laws.hpp"
 
 namespace geodrop {
 
@@ -14,17 +13,6 @@ struct GatherOptions {
   double dt;
   double keep;     ///< a of the blend [-]
   double damping;  ///< factor on the new velocity, exp(-beta dt) [-]
-};
-
-/// What the transfer of a chunk hands to the motion and to the material law.
-template <int Dim>
-struct ChunkRates {
-  alignas(64) double increment[Dim * Dim][chunk_size];  ///< dt L, row-major [-]
-  alignas(64) double volume[chunk_size];                ///< dt D [-]
-  alignas(64) double velocity[Dim][chunk_size];         ///< sum N v' [m/s]
-  alignas(64) double change[Dim][chunk_size];           ///< sum N (v' - v) [m/s]; only for Transfer::blend
-  alignas(
-      64) double fill_slope[Dim][chunk_size];  ///< gradient of the fill ratio [1/m]; 0 where particles must not shift
 };
 
 /// APIC takes C from moments of the velocity; bases without a constant inertia take the gradient (TPIC).
@@ -199,74 +187,6 @@ void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (
     maxima.speed2 = maxima.speed2 != maxima.speed2 ? maxima.speed2 : largest;
 }
 
-template <int Dim, class R>
-std::array<R, Dim * Dim> load_increment(const ChunkRates<Dim>& rates, int k) {
-  std::array<R, Dim * Dim> out;
-  for (int c = 0; c < Dim * Dim; ++c) out[c] = load<R>(&rates.increment[c][k]);
-  return out;
-}
-
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const Newtonian& water, const ChunkRates<Dim>& rates, double dt, std::size_t p,
-                  int k) {
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + load<R>(&rates.volume[k])));
-  if (water.viscosity <= 0) return;
-  const auto s = viscous_stress<Dim, R>(water.viscosity / dt, load_increment<Dim, R>(rates, k));
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], s[c]);
-}
-
-template <int Dim, class R>
-std::array<R, stress_components<Dim>> load_stress(const Body<Dim>& body, std::size_t p) {
-  std::array<R, stress_components<Dim>> sigma;
-  for (int c = 0; c < stress_components<Dim>; ++c) sigma[c] = load<R>(&body.stress[c][p]);
-  return sigma;
-}
-
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const LinearElastic& solid, const ChunkRates<Dim>& rates, double, std::size_t p,
-                  int k) {
-  const R volume = load<R>(&rates.volume[k]);
-  auto sigma = load_stress<Dim, R>(body, p);
-  update_stress<Dim, R>(solid, load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
-}
-
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const MohrCoulomb& soil, const ChunkRates<Dim>& rates, double, std::size_t p,
-                  int k) {
-  const R volume = load<R>(&rates.volume[k]);
-  auto sigma = load_stress<Dim, R>(body, p);
-  const R strain = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.deviatoric_strain[p], load<R>(&body.deviatoric_strain[p]) + strain);
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
-  if (!body.pore_pressure.empty())
-    store(&body.pore_pressure[p], load<R>(&body.pore_pressure[p]) + pore_pressure_increment(soil, volume));
-}
-
-/// J is det F: the volume rate of the cell has no part in it.
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const NeoHookean& solid, const ChunkRates<Dim>& rates, double, std::size_t p,
-                  int k) {
-  std::array<R, Dim * Dim> F;
-  for (int c = 0; c < Dim * Dim; ++c) F[c] = load<R>(&body.deformation[c][p]);
-  deform<Dim, R>(load_increment<Dim, R>(rates, k), F);
-  const R J = determinant<R>(F);
-  const auto sigma = neo_hookean_stress<Dim, R>(solid, F, J);
-  for (int c = 0; c < Dim * Dim; ++c) store(&body.deformation[c][p], F[c]);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.J[p], J);
-}
-
-template <int Dim, class Law>
-void update_chunk(Body<Dim>& body, const Law& law, const ChunkRates<Dim>& rates, double dt, std::size_t p, int count) {
-  const Law local = law;  // through the reference its constants would be read again for each packet (up to 8 % in 2D)
-  int k = 0;
-  for (; k + packet_width <= count; k += packet_width) update_point<Dim, Packet>(body, local, rates, dt, p + k, k);
-  for (; k < count; ++k) update_point<Dim, double>(body, local, rates, dt, p + k, k);
-}
-
 // Of simplex.hpp, for Basis = Simplex.
 template <int Dim, bool Blend>
 GatherSums<Dim> gather_simplex(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int k);
@@ -287,9 +207,9 @@ void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const Chu
   }
 }
 
-template <int Dim, class Basis, bool Blend, class Law>
-Maxima gather_range(Body<Dim>& body, const Law& law, const Grid<Dim>& grid, const GatherOptions& options,
-                    std::size_t begin, std::size_t end) {
+template <int Dim, class Basis, bool Blend>
+Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
+                    std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
   ChunkRates<Dim> rates;
   alignas(64) double old_x[Dim][chunk_size];
@@ -317,7 +237,7 @@ Maxima gather_range(Body<Dim>& body, const Law& law, const Grid<Dim>& grid, cons
     move_chunk<Dim, Blend>(body, options, rates, p, count);
     if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
     finish_chunk(body, grid.layout, old_x, p, count, maxima);
-    update_chunk(body, law, rates, options.dt, p, count);
+    strain_chunk<Dim>(body, rates, options.dt, p, count);
   }
   return maxima;
 }

@@ -17,7 +17,7 @@ GEODROP_KERNEL Maxima gather<2, Simplex>(Body<2>& body, const Grid<2>& grid, con
 
 template <>
 GEODROP_KERNEL void sum_nodal_pressure<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_nodal_pressure_dispatch<2>(body, grid, begin, end);
+  sum_nodal_pressure_range<2>(body, grid, begin, end);
 }
 
 template <>

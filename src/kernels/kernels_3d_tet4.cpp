@@ -17,7 +17,7 @@ GEODROP_KERNEL Maxima gather<3, Simplex>(Body<3>& body, const Grid<3>& grid, con
 
 template <>
 GEODROP_KERNEL void sum_nodal_pressure<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
-  sum_nodal_pressure_dispatch<3>(body, grid, begin, end);
+  sum_nodal_pressure_range<3>(body, grid, begin, end);
 }
 
 template <>

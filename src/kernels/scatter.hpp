@@ -6,96 +6,9 @@
 // Where the body's pressure acts from a filled cell, sigma_p is the deviator only; grid/momentum adds P_c.
 #pragma once
 
-#include "chunk.hpp"
+#include "chunk_laws.hpp"
 
 namespace geodrop {
-
-/// Negative volume times the stress that particles of a chunk carry to the grid [N m], components as in types.hpp.
-template <int Dim>
-struct ChunkStress {
-  alignas(64) double s[stress_components<Dim>][chunk_size];
-  alignas(64) double volume[chunk_size];  ///< [m3]
-};
-
-/// Components that act on the grid: in plane strain ZZ does not.
-template <int Dim>
-inline constexpr std::array<int, stress_components<Dim> - (Dim == 2)> acting_components = [] {
-  if constexpr (Dim == 2)
-    return std::array<int, 3>{0, 1, 3};
-  else
-    return std::array<int, 6>{0, 1, 2, 3, 4, 5};
-}();
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  const double* const mass = body.mass.data() + begin;
-  const double* const J = body.J.data() + begin;
-  const double inv_rho = 1 / water.density, K = water.bulk_modulus;
-  alignas(64) double pressure_force[chunk_size];  // V p
-#pragma omp simd
-  for (int k = 0; k < count; ++k) {
-    out.volume[k] = mass[k] * inv_rho * J[k];
-    pressure_force[k] = own[k] * K * mass[k] * inv_rho * (1 - J[k]);
-  }
-  for (const int c : acting_components<Dim>) {
-    if (c < 3)
-      std::copy_n(pressure_force, count, out.s[c]);
-    else
-      std::fill_n(out.s[c], count, 0.0);
-    if (water.viscosity <= 0) continue;
-    const double* const viscous = body.stress[c].data() + begin;
-#pragma omp simd
-    for (int k = 0; k < count; ++k) out.s[c][k] -= out.volume[k] * viscous[k];
-  }
-}
-
-/// Soil and elastic solids: total stress sigma' - u 1, less its mean where the cell carries that.
-template <int Dim>
-void carried_solid_stress(const Body<Dim>& body, double density, std::size_t begin, int count, const double* own,
-                          ChunkStress<Dim>& out) {
-  alignas(64) double removed[chunk_size];
-  const double* const mass = body.mass.data() + begin;
-  const double* const J = body.J.data() + begin;
-  const double* const xx = body.stress[0].data() + begin;
-  const double* const yy = body.stress[1].data() + begin;
-  const double* const zz = body.stress[2].data() + begin;
-  const double inv_rho = 1 / density;
-#pragma omp simd
-  for (int k = 0; k < count; ++k) {
-    out.volume[k] = mass[k] * inv_rho * J[k];
-    removed[k] = (1 - own[k]) * (xx[k] + yy[k] + zz[k]) / 3;
-  }
-  if (!body.pore_pressure.empty()) {
-    const double* const pore = body.pore_pressure.data() + begin;
-#pragma omp simd
-    for (int k = 0; k < count; ++k) removed[k] += own[k] * pore[k];
-  }
-  for (const int c : acting_components<Dim>) {
-    const double* const sigma = body.stress[c].data() + begin;
-    const double normal = c < 3 ? 1.0 : 0.0;
-#pragma omp simd
-    for (int k = 0; k < count; ++k) out.s[c][k] = -out.volume[k] * (sigma[k] - normal * removed[k]);
-  }
-}
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const LinearElastic& solid, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  carried_solid_stress(body, solid.density, begin, count, own, out);
-}
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const MohrCoulomb& soil, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  carried_solid_stress(body, soil.density, begin, count, own, out);
-}
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const NeoHookean& solid, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  carried_solid_stress(body, solid.density, begin, count, own, out);
-}
 
 /// 1 where the particle's own pressure acts, 0 where its cell carries the pressure.
 template <int Dim, class Basis>
@@ -197,9 +110,8 @@ void add_nodal_pressure(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>&
                         ChunkStress<Dim>& stress);
 
 /// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
-template <int Dim, class Basis, bool Separate, class Law>
-void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, double dt, std::size_t begin,
-                   std::size_t end) {
+template <int Dim, class Basis, bool Separate>
+void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
   ChunkStress<Dim> stress;
   alignas(64) double own[chunk_size];
@@ -209,7 +121,7 @@ void scatter_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, doubl
     for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
     compute_weights(grid.layout, x, body.half_size, count, weights);
     own_pressure<Dim, Basis>(body, grid, weights, count, own);
-    carried_stress(body, law, p, count, own, stress);
+    carry_stress<Dim>(body, p, count, own, stress);
     if constexpr (std::is_same_v<Basis, Simplex>)
       if (body.pressure == PressureSupport::nodal) add_nodal_pressure<Dim>(grid, weights, count, stress);
     if constexpr (!Separate)

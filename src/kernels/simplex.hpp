@@ -11,7 +11,6 @@
 // Both use the same weights, so that the power of the forces is the rate of the stored energy.
 #pragma once
 
-#include "cell_sums.hpp"
 #include "gather.hpp"
 #include "scatter.hpp"
 
@@ -65,7 +64,7 @@ void interpolate_chunk(const Array<double>& field, const ChunkWeights<Dim, Simpl
   }
 }
 
-/// The averaged pressure takes the place of the particles' own, which carried_stress left out.
+/// The averaged pressure takes the place of the particles' own, which carry_stress left out.
 template <int Dim>
 void add_nodal_pressure(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int count,
                         ChunkStress<Dim>& stress) {
@@ -91,15 +90,14 @@ std::array<const double*, Dim> positions(const Body<Dim>& body, std::size_t p) {
 }
 
 /// node_volume += N V, node_pressure += N V p for particles [begin, end).
-template <int Dim, class Law>
-void sum_nodal_pressure_range(const Body<Dim>& body, const Law& law, Grid<Dim>& grid, std::size_t begin,
-                              std::size_t end) {
+template <int Dim>
+void sum_nodal_pressure_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Simplex> weights;
   alignas(64) double volume[chunk_size], pressure[chunk_size];
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
-    volumes_and_pressures(body, law, p, count, volume, pressure);
+    chunk_volumes<Dim>(body, p, count, volume, pressure);
     for (int k = 0; k < count; ++k)
       for (int n = 0; n <= Dim; ++n) {
         const double share = weights.w[n][k] * volume[k];

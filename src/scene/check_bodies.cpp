@@ -57,7 +57,9 @@ void check_pressure(const Scene& scene, const BodySpec& body, const std::string&
   const bool simplex = is_simplex(scene.grid.basis);
   // The volume of a neo-Hookean particle is det F, which cannot follow an averaged rate of volume.
   if (body.pressure != PressureSupport::particle && is_neo_hookean(scene, body, report))
-    report.add(key + ".pressure", "not \"particle\" for a body of \"" + body.material + '"',
+    report.add(key + ".pressure",
+               (body.pressure == PressureSupport::cell ? "\"cell\"" : "\"nodal\"") + std::string(" for a body of \"") +
+                   body.material + '"',
                "\"particle\", as the material is neo_hookean");
   else if (simplex && body.pressure == PressureSupport::cell)
     report.add(key + ".pressure", "\"cell\" on a grid of simplices",

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "kernels/kernels.hpp"
+#include "kernels/simplex.hpp"
+#include "kernels/transfer_stages.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -49,6 +51,14 @@ void check_axis(double half_size) {
   }
 }
 
+template <int Dim, class Policy>
+constexpr Basis name_of() {
+  if constexpr (std::is_same_v<Policy, Simplex>)
+    return Dim == 2 ? Basis::tri3 : Basis::tet4;
+  else
+    return Policy::name;
+}
+
 /// The 12 cells of one body that all tests below share.
 template <int Dim, class Policy>
 struct RandomBox {
@@ -57,7 +67,7 @@ struct RandomBox {
   Grid<Dim> grid;
   explicit RandomBox(Transfer transfer) {
     Scene scene = box_scene<Dim>(12, h, WallKind::slip, transfer);
-    scene.grid.basis = Policy::name;
+    scene.grid.basis = name_of<Dim, Policy>();
     grid = make_grid<Dim>(scene);
     body.half_size = 0.2;
   }
@@ -129,7 +139,11 @@ void check_adjoint() {
     for (int a = 0; a < Dim; ++a) x[a] = box.body.x[a].data() + p;
     compute_weights<Dim, Policy>(box.grid.layout, x, box.body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
-      const auto sums = gather_sums<Dim, Policy, false>(box.grid, weights, k);
+      GatherSums<Dim> sums;
+      if constexpr (std::is_same_v<Policy, Simplex>)
+        sums = gather_simplex<Dim, false>(box.grid, weights, k);
+      else
+        sums = gather_sums<Dim, Policy, false>(box.grid, weights, k);
       for (int a = 0; a < Dim; ++a)
         for (int b = 0; b < Dim; ++b)
           stored -= box.body.volume(p + k) * box.body.stress[stress_index<Dim>(a, b)][p + k] * sums.gradient[b][a];
@@ -170,17 +184,64 @@ TEST_CASE("GIMP ends at the quadratic spline for domains of a whole cell, at the
   }
 }
 
-TEST_CASE_TEMPLATE("A linear velocity comes back exactly", Policy, Bspline2, Gimp, Linear) {
+TEST_CASE_TEMPLATE("A linear velocity comes back exactly", Policy, Bspline2, Gimp, Linear, Simplex) {
   check_linear_field<2, Policy>();
   check_linear_field<3, Policy>();
 }
 
-TEST_CASE_TEMPLATE("Mass and momentum arrive whole, stresses have no resultant", Policy, Bspline2, Gimp, Linear) {
+TEST_CASE_TEMPLATE("Mass and momentum arrive whole, stresses have no resultant", Policy, Bspline2, Gimp, Linear,
+                   Simplex) {
   check_conservation<2, Policy>();
   check_conservation<3, Policy>();
 }
 
-TEST_CASE_TEMPLATE("The gradient is the adjoint of the force", Policy, Bspline2, Gimp, Linear) {
+TEST_CASE_TEMPLATE("The gradient is the adjoint of the force", Policy, Bspline2, Gimp, Linear, Simplex) {
   check_adjoint<2, Policy>();
   check_adjoint<3, Policy>();
+}
+
+namespace {
+
+/// Power of the forces of averaged pressures, and the rate of energy that the averaged volume rates give.
+template <int Dim>
+void check_nodal_adjoint() {
+  Random random;
+  Scene scene = box_scene<Dim>(6, h, WallKind::slip, Transfer::blend);
+  scene.grid.basis = name_of<Dim, Simplex>();
+  scene.bodies[0].pressure = PressureSupport::nodal;
+  Grid<Dim> grid = make_grid<Dim>(scene);
+  State<Dim> state;
+  activate_all_blocks(state, grid.layout);
+  state.bodies = {random_body<Dim>(400, 0.01 * h, 5.99 * h, random)};
+  Body<Dim>& body = state.bodies[0];
+  body.pressure = PressureSupport::nodal;
+  for (int c = 3; c < stress_components<Dim>; ++c) body.stress[c].assign(body.size(), 0.0);
+  for (int a = 1; a < 3; ++a) body.stress[a] = body.stress[0];  // isotropic: nothing but pressure
+  body.slab_begin.assign(grid.layout.slab_count() + 1, 0);
+  std::fill(body.slab_begin.begin() + 1, body.slab_begin.end(), static_cast<std::uint32_t>(body.size()));
+  average_nodal_pressure(state, grid);
+  particles_to_grid(state, grid, dt);
+  double power = 0, size = 0;
+  for_each_node(grid.layout, 0, [&](int flat, const auto&) {
+    for (int a = 0; a < Dim; ++a) {
+      grid.velocity[flat][a] = random.uniform(-1, 1);
+      power += grid.force[flat][a] * grid.velocity[flat][a];
+      size += std::abs(grid.force[flat][a] * grid.velocity[flat][a]);
+    }
+  });
+  average_nodal_rate(state, grid);
+  const Body<Dim> before = body;
+  gather<Dim>(body, grid, {dt, 0, 1}, 0, body.size());
+  double stored = 0;
+  for (std::size_t p = 0; p < body.size(); ++p)
+    stored += before.volume(p) * -before.stress[0][p] * (body.J[p] / before.J[p] - 1) / dt;
+  CHECK(std::abs(power - stored) < 1e-12 * size);
+  CHECK(std::abs(power) > 1e-6 * size);
+}
+
+}  // namespace
+
+TEST_CASE("Simplices: averaged pressure and averaged volume rate are an adjoint pair") {
+  check_nodal_adjoint<2>();
+  check_nodal_adjoint<3>();
 }
