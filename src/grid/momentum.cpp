@@ -163,7 +163,13 @@ void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<
   impose_walls(grid.layout, grid.velocity_change);
 }
 
+template <int Dim>
+void impose_wall_velocity(Grid<Dim>& grid) {
+  impose_walls(grid.layout, grid.velocity);
+}
+
 #define GEODROP_INSTANTIATE(D)           \
+  template void impose_wall_velocity<D>(Grid<D>&); \
   template void fold_walls<D>(Grid<D>&); \
   template void update_momentum<D>(const State<D>&, Grid<D>&, const std::array<double, D>&, double);
 GEODROP_INSTANTIATE(2)

@@ -19,4 +19,8 @@ void fold_walls(Grid<Dim>& grid);
 template <int Dim>
 void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
 
+/// Holds the nodal velocity at the walls, ghosts included.
+template <int Dim>
+void impose_wall_velocity(Grid<Dim>& grid);
+
 }  // namespace geodrop

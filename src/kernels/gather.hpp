@@ -88,7 +88,7 @@ void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, double affine_scale, 
     const Vec4 increment = dt * s.gradient[b];
     trace += increment[b];
     for (int a = 0; a < Dim; ++a) {
-      body.affine[a * Dim + b][p] = affine[a];
+      if constexpr (!std::is_same_v<Basis, Simplex>) body.affine[a * Dim + b][p] = affine[a];
       rates.increment[a * Dim + b][k] = increment[a];
     }
     rates.velocity[b][k] = s.value[b];
@@ -98,7 +98,7 @@ void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, double affine_scale, 
   rates.volume[k] = trace;
 }
 
-template <int Dim, bool Blend>
+template <int Dim, class Basis, bool Blend>
 void move_chunk(Body<Dim>& body, const GatherOptions& options, const ChunkRates<Dim>& rates, std::size_t p, int count) {
   const double dt = options.dt, keep = options.keep, damping = options.damping;
   for (int a = 0; a < Dim; ++a) {
@@ -108,6 +108,7 @@ void move_chunk(Body<Dim>& body, const GatherOptions& options, const ChunkRates<
     for (int k = 0; k < count; ++k) {
       double value = rates.velocity[a][k];
       x[k] += dt * value;
+      if constexpr (std::is_same_v<Basis, Simplex>) continue;  // remap_velocity has moved v on
       if constexpr (Blend) value = keep * (v[k] + rates.change[a][k]) + (1 - keep) * value;
       v[k] = damping * value;
     }
@@ -234,7 +235,7 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
       store_sums<Dim, Basis, Blend>(body, sums, affine_scale, options.dt, shift, p + k, k, rates);
     }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
-    move_chunk<Dim, Blend>(body, options, rates, p, count);
+    move_chunk<Dim, Basis, Blend>(body, options, rates, p, count);
     if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
     finish_chunk(body, grid.layout, old_x, p, count, maxima);
     strain_chunk<Dim>(body, rates, options.dt, p, count);

@@ -26,6 +26,13 @@ void sum_nodal_pressure(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begi
 template <int Dim>
 void sum_nodal_rate(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
 
+/// MUSL on simplices: velocity of particles [begin, end) from the grid, and their momentum back to it.
+template <int Dim>
+void update_velocity(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
+                     std::size_t end);
+template <int Dim>
+void sum_momentum(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
+
 /// Calls f(basis policy) for the basis of the grid: one switch per range of particles.
 template <class F>
 auto with_basis(Basis basis, F&& f) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "../grid/blocks.hpp"
+#include "../grid/momentum.hpp"
 #include "kernels.hpp"
 
 namespace geodrop {
@@ -101,6 +102,32 @@ void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid) {
 }
 
 template <int Dim>
+void remap_velocity(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
+  const GatherOptions options{dt, std::exp(-solver.blend_rate * dt), std::exp(-solver.damping_rate * dt)};
+  constexpr std::size_t share = 16 * chunk_size;
+  for (Body<Dim>& body : state.bodies) {
+    const auto tasks = static_cast<std::ptrdiff_t>((body.size() + share - 1) / share);
+#pragma omp parallel for schedule(dynamic, 4) if (static_cast <std::ptrdiff_t>(body.size()) >= particles_worth_threads)
+    for (std::ptrdiff_t task = 0; task < tasks; ++task)
+      update_velocity<Dim>(body, grid, options, task * share, std::min(body.size(), (task + 1) * share));
+  }
+  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+    for (int node = begin; node < begin + count; ++node)
+      for (int a = 0; a < Dim; ++a) grid.sum[node][a] = 0;
+  });
+  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+    sum_momentum<Dim>(body, grid, begin, end);
+  });
+  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+    for (int node = begin; node < begin + count; ++node) {
+      const double m = grid.sum[node][3];
+      for (int a = 0; a < Dim; ++a) grid.velocity[node][a] = m > 0 ? grid.sum[node][a] / m : 0.0;
+    }
+  });
+  impose_wall_velocity(grid);
+}
+
+template <int Dim>
 void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt) {
   for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     scatter<Dim>(body, grid, dt, begin, end);
@@ -139,6 +166,7 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& g
   template void sum_particles_in_cells<D>(const State<D>&, Grid<D>&);    \
   template void average_nodal_pressure<D>(const State<D>&, Grid<D>&);    \
   template void average_nodal_rate<D>(const State<D>&, Grid<D>&);        \
+  template void remap_velocity<D>(const SolverSpec&, State<D>&, Grid<D>&, double); \
   template void particles_to_grid<D>(const State<D>&, Grid<D>&, double); \
   template void grid_to_particles<D>(const SolverSpec&, State<D>&, Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
