@@ -166,7 +166,7 @@ struct MembraneSpec {
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
 enum class WallKind { slip, no_slip, periodic };
-enum class Transfer { apic, blend };
+enum class Transfer { apic, blend, musl };
 
 struct GridSpec {
   Point lower, upper;  ///< domain [m]

@@ -6,6 +6,8 @@
 
 #include <geodrop/scene.hpp>
 
+#include <type_traits>
+
 namespace geodrop {
 
 struct ThreeWeights {
@@ -61,9 +63,14 @@ struct Linear {
 };
 
 /// Linear simplices, the paper's element: cells split regularly along their main diagonal into two triangles (tri3) or
-/// six tetrahedra (tet4). Not a product over the axes: see simplex.hpp. C = grad v as for GIMP.
+/// six tetrahedra (tet4). Not a product over the axes: see simplex.hpp.
 struct Simplex {
   static constexpr double inertia_inverse = 0;
 };
+
+/// Simplices have no affine transfer: a particle would repeat the velocity of its element exactly, and nothing would
+/// damp nearly empty nodes (the jittered column blew up after 139 steps). They have MUSL only.
+template <class Policy>
+inline constexpr bool has_affine = !std::is_same_v<Policy, Simplex>;
 
 }  // namespace geodrop

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels.hpp"
-#include "simplex.hpp"
+#include "remap.hpp"
 
 namespace geodrop {
 
@@ -17,8 +17,13 @@ void scatter_dispatch(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::si
 template <int Dim, class Basis>
 Maxima gather_dispatch(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                        std::size_t end) {
-  if (grid.velocity_change.empty()) return gather_range<Dim, Basis, false>(body, grid, options, begin, end);
-  return gather_range<Dim, Basis, true>(body, grid, options, begin, end);
+  if constexpr (has_affine<Basis>) {
+    if (options.transfer == Transfer::apic)
+      return gather_range<Dim, Basis, Transfer::apic>(body, grid, options, begin, end);
+    if (options.transfer == Transfer::blend)
+      return gather_range<Dim, Basis, Transfer::blend>(body, grid, options, begin, end);
+  }
+  return gather_range<Dim, Basis, Transfer::musl>(body, grid, options, begin, end);
 }
 
 }  // namespace geodrop

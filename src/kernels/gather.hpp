@@ -10,6 +10,7 @@
 namespace geodrop {
 
 struct GatherOptions {
+  Transfer transfer;
   double dt;
   double keep;     ///< a of the blend [-]
   double damping;  ///< factor on the new velocity, exp(-beta dt) [-]
@@ -79,7 +80,7 @@ GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis
 
 /// Spreads the sums of particle p = k of the chunk over the arrays of the chunk and of the body; C = affine_scale times
 /// the moments if the basis has them, else times grad v.
-template <int Dim, class Basis, bool Blend>
+template <int Dim, class Basis, Transfer transfer>
 void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, double affine_scale, double dt, bool shift, std::size_t p,
                 int k, ChunkRates<Dim>& rates) {
   double trace = 0;
@@ -88,17 +89,17 @@ void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, double affine_scale, 
     const Vec4 increment = dt * s.gradient[b];
     trace += increment[b];
     for (int a = 0; a < Dim; ++a) {
-      if constexpr (!std::is_same_v<Basis, Simplex>) body.affine[a * Dim + b][p] = affine[a];
+      if constexpr (transfer != Transfer::musl) body.affine[a * Dim + b][p] = affine[a];
       rates.increment[a * Dim + b][k] = increment[a];
     }
     rates.velocity[b][k] = s.value[b];
-    if constexpr (Blend) rates.change[b][k] = s.change[b];
+    if constexpr (transfer == Transfer::blend) rates.change[b][k] = s.change[b];
     if (body.shift) rates.fill_slope[b][k] = shift ? s.gradient[b][3] : 0.0;
   }
   rates.volume[k] = trace;
 }
 
-template <int Dim, class Basis, bool Blend>
+template <int Dim, Transfer transfer>
 void move_chunk(Body<Dim>& body, const GatherOptions& options, const ChunkRates<Dim>& rates, std::size_t p, int count) {
   const double dt = options.dt, keep = options.keep, damping = options.damping;
   for (int a = 0; a < Dim; ++a) {
@@ -108,8 +109,8 @@ void move_chunk(Body<Dim>& body, const GatherOptions& options, const ChunkRates<
     for (int k = 0; k < count; ++k) {
       double value = rates.velocity[a][k];
       x[k] += dt * value;
-      if constexpr (std::is_same_v<Basis, Simplex>) continue;  // remap_velocity has moved v on
-      if constexpr (Blend) value = keep * (v[k] + rates.change[a][k]) + (1 - keep) * value;
+      if constexpr (transfer == Transfer::musl) continue;  // remap_velocity has moved v on
+      if constexpr (transfer == Transfer::blend) value = keep * (v[k] + rates.change[a][k]) + (1 - keep) * value;
       v[k] = damping * value;
     }
   }
@@ -186,61 +187,6 @@ void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (
     maxima.speed2 = __builtin_nan("");
   else if (!(maxima.speed2 > largest))
     maxima.speed2 = maxima.speed2 != maxima.speed2 ? maxima.speed2 : largest;
-}
-
-// Of simplex.hpp, for Basis = Simplex.
-template <int Dim, bool Blend>
-GatherSums<Dim> gather_simplex(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int k);
-template <int Dim>
-void take_nodal_rates(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, double dt, int count,
-                      ChunkRates<Dim>& rates);
-
-/// Volume rates of filled cells (or averaged nodal ones) take the place of the particles' own.
-template <int Dim, class Basis>
-void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights,
-                         double dt, int count, ChunkRates<Dim>& rates) {
-  if constexpr (std::is_same_v<Basis, Simplex>)
-    if (body.pressure == PressureSupport::nodal) return take_nodal_rates<Dim>(grid, weights, dt, count, rates);
-  if (body.pressure != PressureSupport::cell) return;
-  for (int k = 0; k < count; ++k) {
-    const int cell = pressure_cell(grid.layout, weights, k);
-    if (grid.cell_flags[cell] & cell_filled) rates.volume[k] = dt * grid.volume_rate[cell];
-  }
-}
-
-template <int Dim, class Basis, bool Blend>
-Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
-                    std::size_t end) {
-  ChunkWeights<Dim, Basis> weights;
-  ChunkRates<Dim> rates;
-  alignas(64) double old_x[Dim][chunk_size];
-  Maxima maxima;
-  const double affine_scale =
-      options.damping * (has_moments<Basis> ? Basis::inertia_inverse * grid.layout.inv_h * grid.layout.inv_h : 1.0);
-  for (std::size_t p = begin; p < end; p += chunk_size) {
-    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    std::array<const double*, Dim> x;
-    for (int a = 0; a < Dim; ++a) {
-      x[a] = body.x[a].data() + p;
-      std::copy_n(x[a], count, old_x[a]);
-    }
-    compute_weights(grid.layout, x, body.half_size, count, weights);
-    for (int k = 0; k < count; ++k) {
-      const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
-      GatherSums<Dim> sums;
-      if constexpr (std::is_same_v<Basis, Simplex>)
-        sums = gather_simplex<Dim, Blend>(grid, weights, k);
-      else
-        sums = gather_sums<Dim, Basis, Blend>(grid, weights, k);
-      store_sums<Dim, Basis, Blend>(body, sums, affine_scale, options.dt, shift, p + k, k, rates);
-    }
-    take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
-    move_chunk<Dim, Basis, Blend>(body, options, rates, p, count);
-    if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
-    finish_chunk(body, grid.layout, old_x, p, count, maxima);
-    strain_chunk<Dim>(body, rates, options.dt, p, count);
-  }
-  return maxima;
 }
 
 }  // namespace geodrop

@@ -26,11 +26,13 @@ void sum_nodal_pressure(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begi
 template <int Dim>
 void sum_nodal_rate(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
 
-/// MUSL on simplices: velocity of particles [begin, end) from the grid, and their momentum back to it.
-template <int Dim>
+/// MUSL: velocity of particles [begin, end) from the grid.
+template <int Dim, class Basis>
 void update_velocity(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                      std::size_t end);
-template <int Dim>
+
+/// MUSL: momentum of particles [begin, end) back to the grid.
+template <int Dim, class Basis>
 void sum_momentum(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
 
 /// Calls f(basis policy) for the basis of the grid: one switch per range of particles.
@@ -60,6 +62,18 @@ Maxima gather(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& optio
               std::size_t end) {
   return with_basis(grid.layout.basis,
                     [&](auto basis) { return gather<Dim, decltype(basis)>(body, grid, options, begin, end); });
+}
+
+template <int Dim>
+void update_velocity(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
+                     std::size_t end) {
+  with_basis(grid.layout.basis,
+             [&](auto basis) { update_velocity<Dim, decltype(basis)>(body, grid, options, begin, end); });
+}
+
+template <int Dim>
+void sum_momentum(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
+  with_basis(grid.layout.basis, [&](auto basis) { sum_momentum<Dim, decltype(basis)>(body, grid, begin, end); });
 }
 
 }  // namespace geodrop

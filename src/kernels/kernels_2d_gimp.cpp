@@ -15,4 +15,15 @@ GEODROP_KERNEL Maxima gather<2, Gimp>(Body<2>& body, const Grid<2>& grid, const 
   return gather_dispatch<2, Gimp>(body, grid, options, begin, end);
 }
 
+template <>
+GEODROP_KERNEL void update_velocity<2, Gimp>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
+                                             std::size_t begin, std::size_t end) {
+  update_velocity_range<2, Gimp>(body, grid, options, begin, end);
+}
+
+template <>
+GEODROP_KERNEL void sum_momentum<2, Gimp>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
+  sum_momentum_range<2, Gimp>(body, grid, begin, end);
+}
+
 }  // namespace geodrop

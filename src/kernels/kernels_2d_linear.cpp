@@ -15,4 +15,15 @@ GEODROP_KERNEL Maxima gather<2, Linear>(Body<2>& body, const Grid<2>& grid, cons
   return gather_dispatch<2, Linear>(body, grid, options, begin, end);
 }
 
+template <>
+GEODROP_KERNEL void update_velocity<2, Linear>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
+                                               std::size_t begin, std::size_t end) {
+  update_velocity_range<2, Linear>(body, grid, options, begin, end);
+}
+
+template <>
+GEODROP_KERNEL void sum_momentum<2, Linear>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
+  sum_momentum_range<2, Linear>(body, grid, begin, end);
+}
+
 }  // namespace geodrop

@@ -26,14 +26,14 @@ GEODROP_KERNEL void sum_nodal_rate<2>(const Body<2>& body, Grid<2>& grid, std::s
 }
 
 template <>
-GEODROP_KERNEL void update_velocity<2>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options, std::size_t begin,
-                     std::size_t end) {
-  update_velocity_range<2>(body, grid, options, begin, end);
+GEODROP_KERNEL void update_velocity<2, Simplex>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
+                                                std::size_t begin, std::size_t end) {
+  update_velocity_range<2, Simplex>(body, grid, options, begin, end);
 }
 
 template <>
-GEODROP_KERNEL void sum_momentum<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_momentum_range<2>(body, grid, begin, end);
+GEODROP_KERNEL void sum_momentum<2, Simplex>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
+  sum_momentum_range<2, Simplex>(body, grid, begin, end);
 }
 
 }  // namespace geodrop

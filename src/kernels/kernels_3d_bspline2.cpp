@@ -15,4 +15,15 @@ GEODROP_KERNEL Maxima gather<3, Bspline2>(Body<3>& body, const Grid<3>& grid, co
   return gather_dispatch<3, Bspline2>(body, grid, options, begin, end);
 }
 
+template <>
+GEODROP_KERNEL void update_velocity<3, Bspline2>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
+                                                 std::size_t begin, std::size_t end) {
+  update_velocity_range<3, Bspline2>(body, grid, options, begin, end);
+}
+
+template <>
+GEODROP_KERNEL void sum_momentum<3, Bspline2>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
+  sum_momentum_range<3, Bspline2>(body, grid, begin, end);
+}
+
 }  // namespace geodrop

@@ -26,14 +26,14 @@ GEODROP_KERNEL void sum_nodal_rate<3>(const Body<3>& body, Grid<3>& grid, std::s
 }
 
 template <>
-GEODROP_KERNEL void update_velocity<3>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options, std::size_t begin,
-                     std::size_t end) {
-  update_velocity_range<3>(body, grid, options, begin, end);
+GEODROP_KERNEL void update_velocity<3, Simplex>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
+                                                std::size_t begin, std::size_t end) {
+  update_velocity_range<3, Simplex>(body, grid, options, begin, end);
 }
 
 template <>
-GEODROP_KERNEL void sum_momentum<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
-  sum_momentum_range<3>(body, grid, begin, end);
+GEODROP_KERNEL void sum_momentum<3, Simplex>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
+  sum_momentum_range<3, Simplex>(body, grid, begin, end);
 }
 
 }  // namespace geodrop

@@ -101,40 +101,4 @@ void scatter_particle(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout
   }
 }
 
-// Of simplex.hpp, for Basis = Simplex.
-template <int Dim, bool Separate>
-void scatter_simplex(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout,
-                     const ChunkWeights<Dim, Simplex>& weights, int k, Vec4* sum, Vec4* force);
-template <int Dim>
-void add_nodal_pressure(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int count,
-                        ChunkStress<Dim>& stress);
-
-/// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
-template <int Dim, class Basis, bool Separate>
-void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end) {
-  ChunkWeights<Dim, Basis> weights;
-  ChunkStress<Dim> stress;
-  alignas(64) double own[chunk_size];
-  for (std::size_t p = begin; p < end; p += chunk_size) {
-    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    std::array<const double*, Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
-    compute_weights(grid.layout, x, body.half_size, count, weights);
-    own_pressure<Dim, Basis>(body, grid, weights, count, own);
-    carry_stress<Dim>(body, p, count, own, stress);
-    if constexpr (std::is_same_v<Basis, Simplex>)
-      if (body.pressure == PressureSupport::nodal) add_nodal_pressure<Dim>(grid, weights, count, stress);
-    if constexpr (!Separate)
-      for (const int c : acting_components<Dim>)
-        for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
-    for (int k = 0; k < count; ++k) {
-      const auto record = make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h);
-      if constexpr (std::is_same_v<Basis, Simplex>)
-        scatter_simplex<Dim, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
-      else
-        scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
-    }
-  }
-}
-
 }  // namespace geodrop

@@ -89,44 +89,6 @@ std::array<const double*, Dim> positions(const Body<Dim>& body, std::size_t p) {
   return x;
 }
 
-/// v_p = a (v_p + sum N (v' - v)) + (1 - a) sum N v' for particles [begin, end), positions unchanged.
-template <int Dim>
-void update_velocity_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
-                           std::size_t end) {
-  ChunkWeights<Dim, Simplex> weights;
-  const double keep = options.keep, damping = options.damping;
-  for (std::size_t p = begin; p < end; p += chunk_size) {
-    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
-    for (int k = 0; k < count; ++k) {
-      Vec4 value{}, change{};
-      for (int n = 0; n <= Dim; ++n) {
-        value += weights.w[n][k] * grid.velocity[weights.node[n][k]];
-        change += weights.w[n][k] * grid.velocity_change[weights.node[n][k]];
-      }
-      for (int a = 0; a < Dim; ++a) {
-        double& v = body.v[a][p + k];
-        v = damping * (keep * (v + change[a]) + (1 - keep) * value[a]);
-      }
-    }
-  }
-}
-
-/// Adds N m v of particles [begin, end) to the nodal sums.
-template <int Dim>
-void sum_momentum_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
-  ChunkWeights<Dim, Simplex> weights;
-  for (std::size_t p = begin; p < end; p += chunk_size) {
-    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
-    for (int k = 0; k < count; ++k) {
-      Vec4 momentum{};
-      for (int a = 0; a < Dim; ++a) momentum[a] = body.mass[p + k] * body.v[a][p + k];
-      for (int n = 0; n <= Dim; ++n) grid.sum[weights.node[n][k]] += weights.w[n][k] * momentum;
-    }
-  }
-}
-
 /// node_volume += N V, node_pressure += N V p for particles [begin, end).
 template <int Dim>
 void sum_nodal_pressure_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {

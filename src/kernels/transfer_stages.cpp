@@ -5,6 +5,8 @@
 
 #include "../grid/blocks.hpp"
 #include "../grid/momentum.hpp"
+#include "../grid/seams.hpp"
+#include "../membrane/membrane_force.hpp"
 #include "kernels.hpp"
 
 namespace geodrop {
@@ -20,14 +22,21 @@ std::ptrdiff_t particle_count(const State<Dim>& state) {
   return static_cast<std::ptrdiff_t>(n);
 }
 
-/// Slabs of one colour, ascending.
 template <int Dim>
-std::vector<int> slabs_of_colour(const GridLayout<Dim>& layout, int colour) {
+bool holds_particles(const State<Dim>& state, int slab) {
+  for (const Body<Dim>& body : state.bodies)
+    if (body.slab_begin[slab] < body.slab_begin[slab + 1]) return true;
+  return false;
+}
+
+/// Slabs of one colour that hold particles, ascending: the empty ones of a large domain are not shared out to threads.
+template <int Dim>
+std::vector<int> slabs_of_colour(const State<Dim>& state, const GridLayout<Dim>& layout, int colour) {
   std::vector<int> out;
-  for (int slab = 0; slab < layout.slab_count(); ++slab) {
-    const int y = slab % layout.slabs[1], z = slab / layout.slabs[1];
-    if ((y & 1) + 2 * (z & 1) == colour) out.push_back(slab);
-  }
+  const int z_slabs = Dim == 3 ? layout.slabs[Dim - 1] : 1;
+  for (int z = colour / 2; z < z_slabs; z += 2)
+    for (int y = colour % 2; y < layout.slabs[1]; y += 2)
+      if (const int slab = y + z * layout.slabs[1]; holds_particles(state, slab)) out.push_back(slab);
   return out;
 }
 
@@ -37,7 +46,7 @@ template <int Dim, class F>
 void for_each_slab_by_colour(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
   const bool threads = particle_count(state) >= particles_worth_threads;
   for (int colour = 0; colour < slab_colours<Dim>; ++colour) {
-    const std::vector<int> slabs = slabs_of_colour(layout, colour);
+    const std::vector<int> slabs = slabs_of_colour(state, layout, colour);
     const auto n = static_cast<std::ptrdiff_t>(slabs.size());
 #pragma omp parallel for schedule(dynamic, 1) if (threads)
     for (std::ptrdiff_t s = 0; s < n; ++s)
@@ -46,6 +55,27 @@ void for_each_slab_by_colour(const State<Dim>& state, const GridLayout<Dim>& lay
         if (begin < end) f(body, begin, end);
       }
   }
+}
+
+GatherOptions gather_options(const SolverSpec& solver, double dt) {
+  return {solver.transfer, dt, std::exp(-solver.blend_rate * dt), std::exp(-solver.damping_rate * dt)};
+}
+
+/// Particles per task: fixed, so that packets fall the same way for any thread count.
+constexpr std::size_t task_share = 16 * chunk_size;
+
+template <int Dim>
+std::ptrdiff_t task_count(const Body<Dim>& body) {
+  return static_cast<std::ptrdiff_t>((body.size() + task_share - 1) / task_share);
+}
+
+/// f(task, begin, end) for consecutive particles of a body, in parallel.
+template <int Dim, class F>
+void for_each_task(const Body<Dim>& body, F&& f) {
+  const std::ptrdiff_t tasks = task_count(body);
+#pragma omp parallel for schedule(dynamic, 4) if (static_cast <std::ptrdiff_t>(body.size()) >= particles_worth_threads)
+  for (std::ptrdiff_t task = 0; task < tasks; ++task)
+    f(task, task * task_share, std::min(body.size(), (task + 1) * task_share));
 }
 
 }  // namespace
@@ -77,6 +107,7 @@ namespace {
 /// Sums over particles become means over the volumes that reach a node.
 template <int Dim>
 void divide_by_volume(const State<Dim>& state, Grid<Dim>& grid, Array<double>& field) {
+  for_each_seam(grid.layout, [&](int axis) { sum_over_seam(grid.layout, axis, field); });
   for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
     for (int node = begin; node < begin + count; ++node)
       if (grid.node_volume[node] > 0) field[node] /= grid.node_volume[node];
@@ -90,6 +121,7 @@ void average_nodal_pressure(const State<Dim>& state, Grid<Dim>& grid) {
   for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     if (body.pressure == PressureSupport::nodal) sum_nodal_pressure<Dim>(body, grid, begin, end);
   });
+  for_each_seam(grid.layout, [&](int axis) { sum_over_seam(grid.layout, axis, grid.node_volume); });
   divide_by_volume(state, grid, grid.node_pressure);
 }
 
@@ -103,28 +135,26 @@ void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid) {
 
 template <int Dim>
 void remap_velocity(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
-  const GatherOptions options{dt, std::exp(-solver.blend_rate * dt), std::exp(-solver.damping_rate * dt)};
-  constexpr std::size_t share = 16 * chunk_size;
-  for (Body<Dim>& body : state.bodies) {
-    const auto tasks = static_cast<std::ptrdiff_t>((body.size() + share - 1) / share);
-#pragma omp parallel for schedule(dynamic, 4) if (static_cast <std::ptrdiff_t>(body.size()) >= particles_worth_threads)
-    for (std::ptrdiff_t task = 0; task < tasks; ++task)
-      update_velocity<Dim>(body, grid, options, task * share, std::min(body.size(), (task + 1) * share));
-  }
-  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
-    for (int node = begin; node < begin + count; ++node)
-      for (int a = 0; a < Dim; ++a) grid.sum[node][a] = 0;
-  });
+  const GatherOptions options = gather_options(solver, dt);
+  for (Body<Dim>& body : state.bodies)
+    for_each_task(body, [&](std::ptrdiff_t, std::size_t begin, std::size_t end) {
+      update_velocity<Dim>(body, grid, options, begin, end);
+    });
+  update_membrane_velocity(solver, state, grid, dt);
+  for_each_active_row(state, grid.layout,
+                      [&](int begin, int count, const auto&) { std::fill_n(grid.sum.begin() + begin, count, Vec4{}); });
   for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     sum_momentum<Dim>(body, grid, begin, end);
   });
+  sum_membrane_momentum(state, grid);
+  fold_walls(state, grid);
   for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
     for (int node = begin; node < begin + count; ++node) {
-      const double m = grid.sum[node][3];
-      for (int a = 0; a < Dim; ++a) grid.velocity[node][a] = m > 0 ? grid.sum[node][a] / m : 0.0;
+      const double m = grid.sum[node][3], inv_m = m > 0 ? 1 / m : 0.0;
+      for (int a = 0; a < Dim; ++a) grid.velocity[node][a] = inv_m * grid.sum[node][a];
     }
   });
-  impose_wall_velocity(grid);
+  impose_wall_velocity(state, grid);
 }
 
 template <int Dim>
@@ -136,21 +166,17 @@ void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt) {
 
 template <int Dim>
 void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
-  constexpr std::size_t share =
-      16 * chunk_size;  // particles per task: fixed, so that packets fall the same way for any thread count
-  const GatherOptions options{dt, std::exp(-solver.blend_rate * dt), std::exp(-solver.damping_rate * dt)};
+  const GatherOptions options = gather_options(solver, dt);
   double v_max = 0, displacement = 0;
   for (Body<Dim>& body : state.bodies) {
-    const auto tasks = static_cast<std::ptrdiff_t>((body.size() + share - 1) / share);
+    const std::ptrdiff_t tasks = task_count(body);
     grid.chunk_maxima.assign(2 * tasks, 0.0);
-#pragma omp parallel for schedule(dynamic, 4) if (static_cast <std::ptrdiff_t>(body.size()) >= particles_worth_threads)
-    for (std::ptrdiff_t task = 0; task < tasks; ++task) {
-      const std::size_t begin = task * share, end = std::min(body.size(), begin + share);
+    for_each_task(body, [&](std::ptrdiff_t task, std::size_t begin, std::size_t end) {
       const Maxima maxima = gather<Dim>(body, grid, options, begin, end);
       grid.chunk_maxima[2 * task] = std::sqrt(maxima.speed2);
       // A particle outside makes the next sort due, which then names it.
       grid.chunk_maxima[2 * task + 1] = maxima.outside ? std::numeric_limits<double>::infinity() : maxima.displacement;
-    }
+    });
     for (std::ptrdiff_t task = 0; task < tasks; ++task) {
       const double speed = grid.chunk_maxima[2 * task];
       if (!(speed <= v_max) && !std::isnan(v_max)) v_max = speed;  // NaN stays: stable_dt reports it
@@ -161,13 +187,13 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& g
   state.drift += displacement;
 }
 
-#define GEODROP_INSTANTIATE(D)                                           \
-  template void clear_grid<D>(const State<D>&, Grid<D>&);                \
-  template void sum_particles_in_cells<D>(const State<D>&, Grid<D>&);    \
-  template void average_nodal_pressure<D>(const State<D>&, Grid<D>&);    \
-  template void average_nodal_rate<D>(const State<D>&, Grid<D>&);        \
+#define GEODROP_INSTANTIATE(D)                                                     \
+  template void clear_grid<D>(const State<D>&, Grid<D>&);                          \
+  template void sum_particles_in_cells<D>(const State<D>&, Grid<D>&);              \
+  template void average_nodal_pressure<D>(const State<D>&, Grid<D>&);              \
+  template void average_nodal_rate<D>(const State<D>&, Grid<D>&);                  \
   template void remap_velocity<D>(const SolverSpec&, State<D>&, Grid<D>&, double); \
-  template void particles_to_grid<D>(const State<D>&, Grid<D>&, double); \
+  template void particles_to_grid<D>(const State<D>&, Grid<D>&, double);           \
   template void grid_to_particles<D>(const SolverSpec&, State<D>&, Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

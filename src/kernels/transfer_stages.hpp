@@ -21,8 +21,9 @@ void average_nodal_pressure(const State<Dim>& state, Grid<Dim>& grid);
 template <int Dim>
 void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid);
 
-/// MUSL (Sulsky et al. 1995) for simplices: particles take their new velocity, and the grid takes its velocity anew from
-/// them. Where nodes are nearly empty the first nodal velocity may be anything; the second is bounded by the particles'.
+/// MUSL (Sulsky et al. 1995) for simplices: particles take their new velocity, and the grid takes its velocity anew
+/// from them. Where nodes are nearly empty the first nodal velocity may be anything; the second is bounded by the
+/// particles'.
 template <int Dim>
 void remap_velocity(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt);
 

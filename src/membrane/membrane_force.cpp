@@ -166,18 +166,41 @@ void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt) {
 }
 
 template <int Dim>
-void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
+void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
   const bool blend = !grid.velocity_change.empty();
   const double keep = blend ? std::exp(-solver.blend_rate * dt) : 0.0;
   const double damping = std::exp(-solver.damping_rate * dt);
-  double displacement = 0;
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
-      for (int a = 0; a < Dim; ++a) {
+      for (int a = 0; a < Dim; ++a)
         membrane.v[a][k] = damping * (keep * (membrane.v[a][k] + change[a]) + (1 - keep) * v[a]);
+    }
+}
+
+template <int Dim>
+void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid) {
+  for (const Membrane<Dim>& membrane : state.membranes)
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      Vec4 momentum{};
+      for (int a = 0; a < Dim; ++a) momentum[a] = membrane.mass[k] * membrane.v[a][k];
+      momentum[3] = membrane.mass[k];
+      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      support.for_each_node(grid.layout, [&](int node, double weight) { grid.sum[node] += weight * momentum; });
+    }
+}
+
+template <int Dim>
+void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
+  if (solver.transfer != Transfer::musl) update_membrane_velocity(solver, state, grid, dt);
+  double displacement = 0;
+  for (Membrane<Dim>& membrane : state.membranes)
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const Vec4 v = interpolate(grid.layout, support, grid.velocity);
+      for (int a = 0; a < Dim; ++a) {
         membrane.x[a][k] += dt * v[a];
         displacement = std::max(displacement, std::abs(dt * v[a]));
       }
@@ -209,11 +232,13 @@ void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
   }
 }
 
-#define GEODROP_INSTANTIATE(D)                                                              \
-  template void update_tension<D>(Membrane<D>&);                                            \
-  template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);             \
-  template void membranes_to_grid<D>(State<D>&, Grid<D>&, double);                          \
-  template void grid_to_membranes<D>(const SolverSpec&, State<D>&, const Grid<D>&, double); \
+#define GEODROP_INSTANTIATE(D)                                                                     \
+  template void update_tension<D>(Membrane<D>&);                                                   \
+  template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);                    \
+  template void membranes_to_grid<D>(State<D>&, Grid<D>&, double);                                 \
+  template void update_membrane_velocity<D>(const SolverSpec&, State<D>&, const Grid<D>&, double); \
+  template void sum_membrane_momentum<D>(const State<D>&, Grid<D>&);                               \
+  template void grid_to_membranes<D>(const SolverSpec&, State<D>&, const Grid<D>&, double);        \
   template void grid_to_tracers<D>(State<D>&, const Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

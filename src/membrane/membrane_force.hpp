@@ -20,6 +20,14 @@ std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane);
 template <int Dim>
 void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt);
 
+/// MUSL (kernels/remap.hpp): membrane nodes take their new velocity; positions stay.
+template <int Dim>
+void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt);
+
+/// MUSL: mass and momentum of all membranes back to the grid.
+template <int Dim>
+void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid);
+
 /// Moves membrane nodes with the grid velocity; adds their displacement to State::drift.
 template <int Dim>
 void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt);

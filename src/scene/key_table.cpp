@@ -96,8 +96,8 @@ constexpr Key keys[] = {
     {"walls", "bottom", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y; never lets go"},
     {"walls", "top", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y; never lets go"},
 
-    {"solver", "transfer", choice, "", "", required, words("apic|blend"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own"},
-    {"solver", "blend_rate", real, "1/s", "transfer=blend", required, positive, "lambda; particles keep exp(-lambda dt) of their own velocity each step"},
+    {"solver", "transfer", choice, "", "", required, words("apic|blend|musl"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own; musl: like blend without the affine part, strains from the particles' new velocity (the only one on tri3, tet4)"},
+    {"solver", "blend_rate", real, "1/s", "transfer=blend|musl", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)"},
     {"solver", "courant", real, "", "", standard("0.5"), courant_range, "C in dt = C h / (c + v)"},
     {"solver", "damping_rate", real, "1/s", "", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"},
 

@@ -41,7 +41,7 @@ struct LinearField {
 template <int Dim>
 double linear_field_error(const LinearField<Dim>& field, Grid<Dim>& grid, Body<Dim> body) {
   const Body<Dim> before = body;
-  gather<Dim>(body, grid, {dt, 0, 1}, 0, body.size());
+  gather<Dim>(body, grid, {Transfer::apic, dt, 0, 1}, 0, body.size());
   double worst = 0;
   for (std::size_t p = 0; p < body.size(); ++p) {
     Vec<Dim> x;
@@ -124,7 +124,7 @@ TEST_CASE("With nothing of the grid taken over, a particle keeps its velocity bu
   field.put(grid, 2);  // velocity_change stays zero
   Body<2> body = random_body<2>(100, 0, 8 * h, random);
   const Body<2> before = body;
-  gather<2>(body, grid, {dt, 1, 1}, 0, body.size());
+  gather<2>(body, grid, {Transfer::blend, dt, 1, 1}, 0, body.size());
   double moved = 0;
   for (std::size_t p = 0; p < body.size(); ++p)
     for (int a = 0; a < 2; ++a) {
@@ -144,7 +144,7 @@ TEST_CASE("Between the limits the blend is a (v + dv) + (1 - a) v', and damping 
   for (int a = 0; a < 2; ++a) body.x[a].assign(9, 1.7 + a);
   body.v[0].assign(9, 4.0);
   body.v[1].assign(9, 8.0);
-  const Maxima maxima = gather<2>(body, grid, {dt, 0.75, 0.5}, 0, 9);
+  const Maxima maxima = gather<2>(body, grid, {Transfer::blend, dt, 0.75, 0.5}, 0, 9);
   for (int p = 0; p < 9; ++p) {
     CHECK(body.v[0][p] == doctest::Approx(0.5 * (0.75 * 4.5 + 0.25 * 2)).epsilon(1e-14));
     CHECK(body.v[1][p] == doctest::Approx(0.5 * (0.75 * 8.25 - 0.25 * 1)).epsilon(1e-14));
@@ -160,7 +160,7 @@ TEST_CASE("A speed that is not a number is not lost among the maxima, whichever 
     Body<2> body = blank_body<2>(LinearElastic{1000, 1e6, 1e6}, 130);
     for (int a = 0; a < 2; ++a) body.x[a].assign(130, 2.0);
     body.v[1][broken] = std::nan("");
-    CHECK(std::isnan(gather<2>(body, grid, {dt, 1, 1}, 0, 130).speed2));
+    CHECK(std::isnan(gather<2>(body, grid, {Transfer::blend, dt, 1, 1}, 0, 130).speed2));
   }
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("In filled cells a body with cell pressure changes volume with its cel
     Body<2> body = blank_body<2>(Newtonian{1000, 2e6, 0}, 2);
     body.pressure = support;
     body.x = {Array<double>{1.1, 3.1}, Array<double>{2, 2}};
-    gather<2>(body, grid, {dt, 0, 1}, 0, 2);
+    gather<2>(body, grid, {Transfer::apic, dt, 0, 1}, 0, 2);
     CHECK(body.J[0] == doctest::Approx(support == PressureSupport::cell ? 1.03 : own).epsilon(1e-13));
     CHECK(body.J[1] == doctest::Approx(own).epsilon(1e-13));
   }
@@ -199,7 +199,7 @@ TEST_CASE("Water shifts down the gradient of the fill ratio by h dt (|v| + v0), 
   body.shift = true;
   body.shift_speed = 0.5;
   body.x = {Array<double>{0.6, 3.0}, Array<double>{2, 2}};
-  gather<2>(body, grid, {dt, 0, 1}, 0, 2);
+  gather<2>(body, grid, {Transfer::apic, dt, 0, 1}, 0, 2);
   const double step = -h * dt * (std::hypot(3, 4 + 2 * 0.6) + 0.5) * slope;
   CHECK(body.x[0][0] == doctest::Approx(0.6 + 3 * dt + step).epsilon(1e-13));
   CHECK(body.v[1][0] == doctest::Approx(4 + 2 * 0.6 + 2 * step).epsilon(1e-13));

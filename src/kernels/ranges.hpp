@@ -1,0 +1,93 @@
+// Ranges of particles to the grid and back, chunk by chunk: weights, then one particle at a time, then the laws.
+#pragma once
+
+#include "simplex.hpp"
+
+namespace geodrop {
+
+/// Sums over the support of one particle, of the velocity change too where the transfer asks for it.
+template <int Dim, class Basis, Transfer transfer>
+GatherSums<Dim> sums_of(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int k) {
+  constexpr bool change = transfer == Transfer::blend;
+  if constexpr (std::is_same_v<Basis, Simplex>)
+    return gather_simplex<Dim, change>(grid, weights, k);
+  else
+    return gather_sums<Dim, Basis, change>(grid, weights, k);
+}
+
+/// Adds the record of one particle to the nodes of its support.
+template <int Dim, class Basis, bool Separate>
+void add_particle(const ScatterRecord<Dim>& record, Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int k) {
+  if constexpr (std::is_same_v<Basis, Simplex>)
+    scatter_simplex<Dim, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+  else
+    scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+}
+
+/// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
+template <int Dim, class Basis, bool Separate>
+void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end) {
+  ChunkWeights<Dim, Basis> weights;
+  ChunkStress<Dim> stress;
+  alignas(64) double own[chunk_size];
+  for (std::size_t p = begin; p < end; p += chunk_size) {
+    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
+    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
+    own_pressure<Dim, Basis>(body, grid, weights, count, own);
+    carry_stress<Dim>(body, p, count, own, stress);
+    if constexpr (std::is_same_v<Basis, Simplex>)
+      if (body.pressure == PressureSupport::nodal) add_nodal_pressure<Dim>(grid, weights, count, stress);
+    if constexpr (!Separate)
+      for (const int c : acting_components<Dim>)
+        for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
+    for (int k = 0; k < count; ++k)
+      add_particle<Dim, Basis, Separate>(make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h), grid,
+                                         weights, k);
+  }
+}
+
+/// Volume rates of filled cells (or averaged nodal ones) take the place of the particles' own.
+template <int Dim, class Basis>
+void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights,
+                         double dt, int count, ChunkRates<Dim>& rates) {
+  if constexpr (std::is_same_v<Basis, Simplex>)
+    if (body.pressure == PressureSupport::nodal) return take_nodal_rates<Dim>(grid, weights, dt, count, rates);
+  if (body.pressure != PressureSupport::cell) return;
+  for (int k = 0; k < count; ++k) {
+    const int cell = pressure_cell(grid.layout, weights, k);
+    if (grid.cell_flags[cell] & cell_filled) rates.volume[k] = dt * grid.volume_rate[cell];
+  }
+}
+
+template <int Dim, class Basis, Transfer transfer>
+Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
+                    std::size_t end) {
+  ChunkWeights<Dim, Basis> weights;
+  ChunkRates<Dim> rates;
+  alignas(64) double old_x[Dim][chunk_size];
+  Maxima maxima;
+  const double affine_scale =
+      options.damping * (has_moments<Basis> ? Basis::inertia_inverse * grid.layout.inv_h * grid.layout.inv_h : 1.0);
+  for (std::size_t p = begin; p < end; p += chunk_size) {
+    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
+    std::array<const double*, Dim> x;
+    for (int a = 0; a < Dim; ++a) {
+      x[a] = body.x[a].data() + p;
+      std::copy_n(x[a], count, old_x[a]);
+    }
+    compute_weights(grid.layout, x, body.half_size, count, weights);
+    for (int k = 0; k < count; ++k) {
+      const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
+      store_sums<Dim, Basis, transfer>(body, sums_of<Dim, Basis, transfer>(grid, weights, k), affine_scale, options.dt,
+                                       shift, p + k, k, rates);
+    }
+    take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
+    move_chunk<Dim, transfer>(body, options, rates, p, count);
+    if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
+    finish_chunk(body, grid.layout, old_x, p, count, maxima);
+    strain_chunk<Dim>(body, rates, options.dt, p, count);
+  }
+  return maxima;
+}
+
+}  // namespace geodrop
