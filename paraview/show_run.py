@@ -144,16 +144,19 @@ def show_membranes(path, view, time):
     legend.Visibility = 1
 
 
-def aim_camera(view, source, time):
+def aim_camera(view, source, time, dimension):
+    """In 2D across the plane, in 3D from the front wall along y; the vertical axis up."""
     source.UpdatePipeline(time)
-    x0, x1, y0, y1, _, _ = source.GetDataInformation().GetBounds()
-    centre = [(x0 + x1) / 2, (y0 + y1) / 2, 0]
+    bounds = source.GetDataInformation().GetBounds()
+    centre = [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
+    up, across = (1, 2) if dimension == 2 else (2, 1)
     width, height = view.ViewSize
     view.CameraParallelProjection = 1
     view.CameraFocalPoint = centre
-    view.CameraPosition = [centre[0], centre[1], 100]
-    view.CameraViewUp = [0, 1, 0]
-    view.CameraParallelScale = 0.5 * max(y1 - y0, (x1 - x0) * height / width) / BODY_SHARE
+    view.CameraPosition = [x + (100 if dimension == 2 else -100) * (axis == across) for axis, x in enumerate(centre)]
+    view.CameraViewUp = [float(axis == up) for axis in range(3)]
+    tall, wide = bounds[2 * up + 1] - bounds[2 * up], bounds[1] - bounds[0]
+    view.CameraParallelScale = 0.5 * max(tall, wide * height / width) / BODY_SHARE
 
 
 def main():
@@ -168,7 +171,8 @@ def main():
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     view.OrientationAxesVisibility = 0
-    view.InteractionMode = "2D"
+    dimension = int(scene[""][0].get("dimension", 2))
+    view.InteractionMode = "2D" if dimension == 2 else "3D"
 
     particles = pv.PVDReader(registrationName="particles", FileName=collection)
     time = nearest_time(particles, arguments.time)
@@ -183,7 +187,7 @@ def main():
     label.Color = [0, 0, 0]
     label.FontSize = 24
     label.WindowLocation = "Upper Left Corner"
-    aim_camera(view, body, time)
+    aim_camera(view, body, time, dimension)
 
     if arguments.screenshot:
         pv.SaveScreenshot(arguments.screenshot, view, ImageResolution=arguments.size)

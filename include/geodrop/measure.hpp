@@ -17,6 +17,10 @@ inline constexpr int vertical_axis = Dim - 1;
 template <int Dim>
 std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, std::size_t p);
 
+/// A rotation [rad]: in 2D an angle, anticlockwise; in 3D the components of axis times angle, at most half a turn.
+template <int Dim>
+using Rotation = Vec<Dim == 2 ? 1 : 3>;
+
 /// Where a body is, how it moves, and its mean stress near its centre. The stresses, and with them the columns
 /// *_centre_Pa of history.csv, are NaN while no particle is near the centre of mass, as in a ring or a splash; results
 /// leave such rows out.
@@ -24,10 +28,11 @@ template <int Dim>
 struct BodyMeasures {
   Vec<Dim> centre = Vec<Dim>::Zero(), velocity = Vec<Dim>::Zero();  ///< of mass [m], [m/s]
   Vec<Dim> lower = Vec<Dim>::Zero(), upper = Vec<Dim>::Zero();      ///< extremes of particle positions [m]
-  double rotation = 0;         ///< best fit from the initial positions, about the centres [rad]; 3D: without sign
-  double velocity_rms = 0;     ///< weighted by mass [m/s]
-  double pressure_centre = 0;  ///< mean over the volume within `radius` of the centre [Pa]
-  double vertical_stress_centre = 0, horizontal_stress_centre = 0;  ///< likewise, total, tension positive [Pa]
+  Rotation<Dim> rotation = Rotation<Dim>::Zero();  ///< best fit from the initial positions, about the centres [rad]
+  double velocity_rms = 0;                         ///< weighted by mass [m/s]
+  double pressure_centre = 0;                      ///< mean over the volume within `radius` of the centre [Pa]
+  Vec<Dim> stress_centre =
+      Vec<Dim>::Zero();  ///< normal components along the axes likewise, total, tension positive [Pa]
 };
 template <int Dim>
 BodyMeasures<Dim> measure(const Body<Dim>& body, double radius);

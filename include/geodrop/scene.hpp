@@ -20,16 +20,18 @@ struct BoxShape {
   Point lower, upper;  ///< [m]
   bool operator==(const BoxShape&) const = default;
 };
+/// In 3D an ellipsoid with its axes along x, y, z.
 struct EllipseShape {
   Point centre;           ///< [m]
   Point semi_axes;        ///< [m]
-  double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes [degree]
+  double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes, 2D only [degree]
   bool operator==(const EllipseShape&) const = default;
 };
 struct PolygonShape {
   std::vector<Point> points;  ///< [m], simple polygon, either orientation
   bool operator==(const PolygonShape&) const = default;
 };
+/// In 3D a half-space.
 struct HalfPlaneShape {
   Point point;   ///< a point of the boundary [m]
   Point normal;  ///< points out of the body
@@ -119,7 +121,7 @@ struct UniformVelocitySpec {
 /// First mode of a bar fixed at coordinate 0 and free at `length`: v = amplitude sin(pi x / (2 length)) along `axis`.
 struct BarFirstModeSpec {
   double amplitude = 0;  ///< velocity of the free end [m/s]
-  int axis = 0;          ///< 0: x, 1: y
+  int axis = 0;          ///< 0: x, 1: y, 2: z
   double length = 0;     ///< [m]
   bool operator==(const BarFirstModeSpec&) const = default;
 };

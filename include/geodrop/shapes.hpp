@@ -1,7 +1,9 @@
-// Geometry of the shapes that bodies are made of. 2D; boxes, ellipses and half-planes also answer `contains` in 3D.
+// Geometry of the shapes that bodies are made of. `contains`, `bounds`, `bounds_within` and `chords` are for scenes of
+// either dimension, `section` is for space, and the rest for the plane.
 #pragma once
 
 #include <geodrop/scene.hpp>
+#include <optional>
 #include <vector>
 
 namespace geodrop {
@@ -15,6 +17,10 @@ struct Bounds {
 bool contains(const Shape& shape, const Point& x);
 
 Bounds bounds(const Shape& shape);
+
+/// Bounds of the shape itself or, for a half-plane or half-space, of what it leaves of the domain (lower above upper if
+/// nothing is left).
+Bounds bounds_within(const Shape& shape, const Bounds& domain);
 
 /// Exact area [m2]; infinite for a half-plane.
 double area(const Shape& shape);
@@ -39,7 +45,8 @@ struct Chord {
 /// through a corner of a polygon. Of polygons 2D only.
 std::vector<Chord> chords(const Shape& shape, const Point& x, int axis);
 
-/// The shape itself or, for a half-plane, the polygon that it leaves of the domain (without points if nothing is left).
-Shape clip_half_plane(const Shape& shape, const Bounds& domain);
+/// What the plane across an axis at a level [m] has in common with a shape in space, as a shape in the other two axes
+/// (in ascending order); nothing if they do not meet.
+std::optional<Shape> section(const Shape& shape, int axis, double level);
 
 }  // namespace geodrop

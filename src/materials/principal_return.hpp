@@ -90,12 +90,13 @@ template <class R>
   const R e1 = x1 - t - spread, e2 = x2 - m - spread, e3 = x3 - m - spread;
   best = select((e2 <= 0.0) & (y.minus_psi * e1 + y.plus_psi * (e2 + e3) >= 0.0), Principal<R>{t, m, m}, best);
 
-  // Edge s1 = s2 = t.
+  // Edge s1 = s2 = t. Beyond its end is the corner (t, t, t), also where round-off denies that corner its multiplier:
+  // in plane strain a soil without stress is stretched along two axes only, so its trial lies exactly between the two.
   const double modulus = y.lambda + 2.0 * y.shear;
   const R plane = (x1 - t) * (y.lambda / modulus);
   const R on_plane2 = x2 - plane, on_plane3 = x3 - plane;
-  const R edge3 = x3 - (x1 + x2 - 2.0 * t) * (y.lambda / (2.0 * (y.lambda + y.shear)));
-  best = select((on_plane2 > t) & (edge3 >= m) & (edge3 <= t), Principal<R>{t, t, edge3}, best);
+  const R edge3 = min(x3 - (x1 + x2 - 2.0 * t) * (y.lambda / (2.0 * (y.lambda + y.shear))), t);
+  best = select((on_plane2 > t) & (edge3 >= m), Principal<R>{t, t, edge3}, best);
 
   // Line s1 = t, s3 = m of g_13 and the cut-off.
   const double scale = 1.0 / (4.0 * y.shear * y.minus_psi * (y.lambda + y.shear));

@@ -34,21 +34,42 @@ struct Row {
 /// The multiple of 360 degrees that brings an angle closest to the one of the row before.
 double unwrap(double degrees, double before) { return degrees + 360 * std::round((before - degrees) / 360); }
 
+/// In 2D an angle that goes on beyond half a turn; in 3D the components of axis times angle, as they are.
+template <int Dim>
+void list_rotation(Row& row, const std::string& name, const Rotation<Dim>& rotation, const HistoryTable& earlier) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  if constexpr (Dim == 2) {
+    const double before = earlier.rows.empty() ? 0 : earlier.rows.back()[row.values.size()];
+    row.add(name + ".rotation_deg", unwrap(rotation[0] * degrees, before));
+  } else {
+    row.add_vector(name + ".rotation", "deg", Rotation<Dim>(rotation * degrees), Dim);
+  }
+}
+
+/// The normal stresses at the centre; in 3D there are two horizontal ones.
+template <int Dim>
+void list_stress(Row& row, const std::string& name, const Vec<Dim>& stress) {
+  row.add(name + ".vertical_stress_centre_Pa", stress[vertical_axis<Dim>]);
+  if constexpr (Dim == 2) row.add(name + ".horizontal_stress_centre_Pa", stress[0]);
+  if constexpr (Dim == 3) row.add_vector(name + ".horizontal_stress", "centre_Pa", stress, 2);
+}
+
 template <int Dim>
 void list_body(Row& row, const std::string& name, const BodyMeasures<Dim>& body, const HistoryTable& earlier) {
   row.add_vector(name + ".position", "m", body.centre, Dim);
   row.add_vector(name + ".velocity", "m_s", body.velocity, Dim);
-  const double rotation = body.rotation * 180 / std::numbers::pi;
-  const double before = earlier.rows.empty() ? 0 : earlier.rows.back()[row.values.size()];
-  row.add(name + ".rotation_deg", unwrap(rotation, before));
+  list_rotation<Dim>(row, name, body.rotation, earlier);
   row.add(name + ".mean_pressure_centre_Pa", body.pressure_centre);
-  row.add(name + ".vertical_stress_centre_Pa", body.vertical_stress_centre);
-  row.add(name + ".horizontal_stress_centre_Pa", body.horizontal_stress_centre);
+  list_stress<Dim>(row, name, body.stress_centre);
   row.add(name + ".velocity_rms_m_s", body.velocity_rms);
   row.add(name + ".lowest_m", body.lower[vertical_axis<Dim>]);
   row.add(name + ".highest_m", body.upper[vertical_axis<Dim>]);
   row.add(name + ".leftmost_m", body.lower[0]);
   row.add(name + ".rightmost_m", body.upper[0]);
+  if constexpr (Dim == 3) {
+    row.add(name + ".frontmost_m", body.lower[1]);
+    row.add(name + ".backmost_m", body.upper[1]);
+  }
 }
 
 /// `peak`: largest tension since the row before.

@@ -1,4 +1,5 @@
 // Stress of a particle, and what a body or a membrane looks like as a whole.
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -68,29 +69,30 @@ BodySums<Dim> sum_body(const Body<Dim>& body) {
 template <int Dim>
 struct CentredSums {
   Eigen::Matrix<double, Dim, Dim> now_by_initial = Eigen::Matrix<double, Dim, Dim>::Zero();
-  double volume = 0, pressure = 0, vertical = 0, horizontal = 0;
+  double volume = 0, pressure = 0;
+  Vec<Dim> stress = Vec<Dim>::Zero();
 
   CentredSums& operator+=(const CentredSums& other) {
     now_by_initial += other.now_by_initial;
     volume += other.volume;
     pressure += other.pressure;
-    vertical += other.vertical;
-    horizontal += other.horizontal;
+    stress += other.stress;
     return *this;
   }
 };
 
 /// The rotation R that makes sum m |x - R X|^2 least (Kabsch): in 2D a ratio of moments, in 3D from the singular
 /// vectors of sum m x X^T.
-double best_rotation(const Eigen::Matrix2d& now_by_initial) {
-  return std::atan2(now_by_initial(1, 0) - now_by_initial(0, 1), now_by_initial.trace());
+Rotation<2> best_rotation(const Eigen::Matrix2d& now_by_initial) {
+  return Rotation<2>(std::atan2(now_by_initial(1, 0) - now_by_initial(0, 1), now_by_initial.trace()));
 }
-double best_rotation(const Eigen::Matrix3d& now_by_initial) {
+Rotation<3> best_rotation(const Eigen::Matrix3d& now_by_initial) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(now_by_initial, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d sign = Eigen::Vector3d::Ones();
   sign[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   const Eigen::Matrix3d rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
-  return std::acos(std::clamp((rotation.trace() - 1) / 2, -1.0, 1.0));
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
 }
 
 template <int Dim>
@@ -105,8 +107,7 @@ CentredSums<Dim> sum_about(const Body<Dim>& body, const Vec<Dim>& centre, const 
     const auto stress = total_stress(body, p);
     sums.volume += volume;
     sums.pressure += volume * mean_pressure(body, p);
-    sums.vertical += volume * stress[vertical_axis<Dim>];
-    sums.horizontal += volume * stress[0];
+    for (int a = 0; a < Dim; ++a) sums.stress[a] += volume * stress[a];
   });
 }
 
@@ -159,8 +160,7 @@ BodyMeasures<Dim> measure(const Body<Dim>& body, double radius) {
   measures.rotation = best_rotation(centred.now_by_initial);
   const double volume = centred.volume > 0 ? centred.volume : not_there;
   measures.pressure_centre = centred.pressure / volume;
-  measures.vertical_stress_centre = centred.vertical / volume;
-  measures.horizontal_stress_centre = centred.horizontal / volume;
+  measures.stress_centre = centred.stress / volume;
   return measures;
 }
 

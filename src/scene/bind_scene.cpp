@@ -67,9 +67,10 @@ class Fields {
 
 Shape bind_shape(const Fields& f) {
   const std::string type = f.text("type");
-  if (type == "ellipse") return EllipseShape{f.point("centre"), f.point("semi_axes"), f.real("tilt_deg")};
+  if (type == "ellipse" || type == "ellipsoid")
+    return EllipseShape{f.point("centre"), f.point("semi_axes"), f.real("tilt_deg")};
   if (type == "polygon") return PolygonShape{f.points("points")};
-  if (type == "half_plane") return HalfPlaneShape{f.point("point"), f.point("normal")};
+  if (type == "half_plane" || type == "half_space") return HalfPlaneShape{f.point("point"), f.point("normal")};
   return BoxShape{f.point("lower"), f.point("upper")};
 }
 
@@ -191,8 +192,14 @@ void bind_numerics(const Fields& root, Scene& scene) {
   const Fields grid = root.sub("grid"), walls = root.sub("walls"), solver = root.sub("solver"),
                output = root.sub("output");
   scene.grid = {grid.point("lower"), grid.point("upper"), grid.real("spacing"), grid.choice<Basis>("basis")};
-  scene.walls.lower = {walls.choice<WallKind>("left"), walls.choice<WallKind>("bottom")};
-  scene.walls.upper = {walls.choice<WallKind>("right"), walls.choice<WallKind>("top")};
+  const auto along_axes = [&](const char* x, const char* y_in_space, const char* vertical) {
+    std::vector<WallKind> kinds{walls.choice<WallKind>(x)};
+    if (scene.dimension == 3) kinds.push_back(walls.choice<WallKind>(y_in_space));
+    kinds.push_back(walls.choice<WallKind>(vertical));
+    return kinds;
+  };
+  scene.walls.lower = along_axes("left", "front", "bottom");
+  scene.walls.upper = along_axes("right", "back", "top");
   scene.solver.transfer = solver.choice<Transfer>("transfer");
   scene.solver.blend_rate = solver.real("blend_rate");
   scene.solver.courant = solver.real("courant");

@@ -74,29 +74,50 @@ Bounds common(const Bounds& a, const Bounds& b) {
   return box;
 }
 
-/// Visits an even lattice of points in a box, about `per_cell` of them along each axis of a cell, until `visit` says
-/// stop. The offset within the lattice keeps points off edges at simple fractions. Returns the area per point [m2].
-template <class Visit>
-double sample(const Bounds& box, double spacing, Visit visit) {
-  constexpr double kPerCell = 16, kMost = 600;  // along each axis
-  constexpr double kOffsetX = 0.381966, kOffsetY = 0.618034;
-  const double width = box.upper[0] - box.lower[0], height = box.upper[1] - box.lower[1];
-  const int nx = static_cast<int>(std::clamp(std::ceil(width / spacing * kPerCell), 1.0, kMost));
-  const int ny = static_cast<int>(std::clamp(std::ceil(height / spacing * kPerCell), 1.0, kMost));
-  Point x(2);
-  for (int j = 0; j < ny; ++j) {
-    for (int i = 0; i < nx; ++i) {
-      x[0] = box.lower[0] + (i + kOffsetX) * width / nx;
-      x[1] = box.lower[1] + (j + kOffsetY) * height / ny;
-      if (!visit(x)) return width * height / nx / ny;
+/// An even lattice of points in a box. Its offset keeps points off edges at simple fractions.
+class Samples {
+ public:
+  Samples(const Bounds& box, double spacing) : box_(box), count_(box.lower.size()) {
+    const bool plane = box.lower.size() == 2;
+    const double per_cell = plane ? 16 : 8, most = plane ? 600 : 100;  // along each axis
+    for (std::size_t a = 0; a < count_.size(); ++a)
+      count_[a] = static_cast<int>(std::clamp(std::ceil(width(a) / spacing * per_cell), 1.0, most));
+  }
+
+  /// Area or volume per point [m2, m3].
+  double measure() const {
+    double product = 1;
+    for (std::size_t a = 0; a < count_.size(); ++a) product *= width(a) / count_[a];
+    return product;
+  }
+
+  /// Until `visit` gives false.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    constexpr double offset[] = {0.381966, 0.618034, 0.549150};
+    long long points = 1;
+    for (const int n : count_) points *= n;
+    Point x(count_.size());
+    for (long long k = 0; k < points; ++k) {
+      long long rest = k;
+      for (std::size_t a = 0; a < count_.size(); rest /= count_[a], ++a)
+        x[a] = box_.lower[a] + (static_cast<double>(rest % count_[a]) + offset[a]) * width(a) / count_[a];
+      if (!visit(x)) return;
     }
   }
-  return width * height / nx / ny;
-}
+
+ private:
+  double width(std::size_t axis) const { return box_.upper[axis] - box_.lower[axis]; }
+
+  Bounds box_;
+  std::vector<int> count_;
+};
 
 bool is_empty(const Bounds& box, double spacing) {
   constexpr double kRounding = 1e-6;  // of a cell
-  return box.upper[0] - box.lower[0] < kRounding * spacing || box.upper[1] - box.lower[1] < kRounding * spacing;
+  for (std::size_t a = 0; a < box.lower.size(); ++a)
+    if (box.upper[a] - box.lower[a] < kRounding * spacing) return true;
+  return false;
 }
 
 class PlacementCheck {
@@ -148,14 +169,15 @@ class PlacementCheck {
     const Bounds box = common(bounds(body(i).shape), domain_);
     bool found = false;
     if (!is_empty(box, h_)) {
-      sample(box, h_, [&](const Point& x) {
+      Samples(box, h_).for_each([&](const Point& x) {
         found = covers(i, x);
         return !found;
       });
     }
     if (!found)
       report_.add(key(i) + ".shape", "a body of which nothing is left",
-                  "a shape that has area inside the grid and outside the bodies in minus");
+                  std::string("a shape that has ") + (scene_.dimension == 2 ? "area" : "volume") +
+                      " inside the grid and outside the bodies in minus");
     return found;
   }
 
@@ -173,19 +195,22 @@ class PlacementCheck {
   }
 
   void check_overlap(std::size_t i, std::size_t j) {
-    constexpr double kAllowed = 0.01;  // of a cell's area: below any particle
+    constexpr double kAllowed = 0.01;  // of a cell: below any particle
     const Bounds box = common(common(bounds(body(i).shape), bounds(body(j).shape)), domain_);
     if (is_empty(box, h_)) return;
     int hits = 0;
     Point where;
-    const double area_per_point = sample(box, h_, [&](const Point& x) {
+    const Samples samples(box, h_);
+    samples.for_each([&](const Point& x) {
       if (covers(i, x) && covers(j, x) && hits++ == 0) where = x;
       return true;
     });
-    if (hits * area_per_point <= kAllowed * h_ * h_) return;
+    const double common_part = hits * samples.measure();
+    if (common_part <= kAllowed * std::pow(h_, scene_.dimension)) return;
+    for (double& coordinate : where) coordinate = round_to_3(coordinate);
     report_.add(key(i) + ".shape",
-                "a body that overlaps \"" + body(j).name + "\" by about " + to_text(round_to_3(hits * area_per_point)) +
-                    " m2, e.g. at " + to_text(Point{round_to_3(where[0]), round_to_3(where[1])}),
+                "a body that overlaps \"" + body(j).name + "\" by about " + to_text(round_to_3(common_part)) +
+                    (scene_.dimension == 2 ? " m2" : " m3") + ", e.g. at " + to_text(where),
                 "bodies that do not overlap; minus = [\"" + body(j).name + "\"] cuts one out of the other");
   }
 

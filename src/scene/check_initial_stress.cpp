@@ -91,7 +91,7 @@ struct FootStress {
 };
 
 FootStress foot_stress(const BodyView& view, const K0StressSpec& k0, const MohrCoulombSpec& soil) {
-  const Bounds box = bounds(clip_half_plane(view.body.shape, {view.scene.grid.lower, view.scene.grid.upper}));
+  const Bounds box = bounds_within(view.body.shape, {view.scene.grid.lower, view.scene.grid.upper});
   const double g = -view.scene.gravity.back();
   const double depth = std::max(0.0, k0.surface - box.lower.back());
   const MaterialSpec* fluid = k0.fluid ? find_material(view.scene, k0.fluid->fluid) : nullptr;

@@ -81,14 +81,24 @@ void check_grid(const Scene& scene, Report& report) {
   report.add("grid.spacing", to_text(grid.spacing) + ", which is " + count(cells), "at most " + count(kMostCells));
 }
 
+/// Triangles are for the plane, tetrahedra for space.
+void check_basis(const Scene& scene, Report& report) {
+  const bool plane = scene.dimension == 2;
+  if (!report.healthy("grid.basis") || !report.healthy("dimension")) return;
+  if (scene.grid.basis != (plane ? Basis::tet4 : Basis::tri3)) return;
+  report.add("grid.basis", plane ? "\"tet4\" with dimension = 2" : "\"tri3\" with dimension = 3",
+             plane ? "\"tri3\", or a basis that is no simplex" : "\"tet4\", or a basis that is no simplex");
+}
+
 /// Periodic walls come in pairs.
 void check_walls(const Scene& scene, Report& report) {
-  constexpr const char* kWalls[][2] = {{"left", "right"}, {"bottom", "top"}};
-  if (!report.healthy("walls")) return;
+  constexpr const char* kWalls[][2] = {{"left", "right"}, {"front", "back"}, {"bottom", "top"}};
+  if (!report.healthy("walls") || !report.healthy("dimension")) return;
   for (std::size_t axis = 0; axis < scene.walls.lower.size(); ++axis) {
     const bool lower = scene.walls.lower[axis] == WallKind::periodic;
     const bool upper = scene.walls.upper[axis] == WallKind::periodic;
-    const std::string here = kWalls[axis][lower ? 0 : 1], opposite = kWalls[axis][lower ? 1 : 0], key = "walls." + here;
+    const auto& pair = kWalls[axis + 1 == scene.walls.lower.size() ? 2 : axis];  // the last axis is the vertical one
+    const std::string here = pair[lower ? 0 : 1], opposite = pair[lower ? 1 : 0], key = "walls." + here;
     if (!lower && !upper) continue;
     if (lower != upper)
       report.add(key, "\"periodic\", while " + opposite + " is not",

@@ -58,6 +58,24 @@ ValueCheck check_points(const Key& key, const toml::node& node, int dimension) {
   return {};
 }
 
+/// "a" or "b" or "c" for "a|b|c".
+std::string quoted_words(std::string_view choices) {
+  std::string text;
+  for (const std::string& word : split(choices, '|')) text += (text.empty() ? "\"" : " or \"") + word + '"';
+  return text;
+}
+
+/// Says of a word that is no choice in this dimension that it is one in the other.
+std::string other_dimension(const Key& key, const std::string& word) {
+  for (const Key* other : keys_of(key.section)) {
+    if (other->name != key.name || other->dimension == key.dimension) continue;
+    const std::vector<std::string> words = split(other->allowed.text, '|');
+    if (std::find(words.begin(), words.end(), word) != words.end())
+      return "only with " + readable_condition(*other) + "; ";
+  }
+  return {};
+}
+
 ValueCheck check_text(const Key& key, const toml::node& node) {
   const auto* text = node.as_string();
   if (!text) return wrong_type(node);
@@ -67,7 +85,8 @@ ValueCheck check_text(const Key& key, const toml::node& node) {
     const std::vector<std::string> words = split(key.allowed.text, '|');
     ok = std::find(words.begin(), words.end(), word) != words.end();
     if (!ok && words.size() > 1)
-      return {false, to_text(node) + " (the nearest is \"" + nearest_name(word, words) + "\")"};
+      return {false, to_text(node) + " (" + other_dimension(key, word) + "the nearest is \"" +
+                         nearest_name(word, words) + "\")"};
   } else if (key.kind == Kind::text) {
     ok = key.allowed.holds(static_cast<double>(word.size()));
   } else {
@@ -87,7 +106,9 @@ ValueCheck check_names(const Key& key, const toml::node& node) {
 }
 
 std::string kind_text(const Key& key, int dimension) {
-  const std::string size = std::to_string(dimension);
+  const std::string size = dimension == 0
+                               ? "as many numbers as dimension"
+                               : std::to_string(dimension) + " numbers (dimension = " + std::to_string(dimension) + ")";
   switch (key.kind) {
     case Kind::text:
       return "a text, " + std::string(key.allowed.text);
@@ -96,7 +117,7 @@ std::string kind_text(const Key& key, int dimension) {
     case Kind::names:
       return "a list of names (each " + std::string(key.allowed.text) + ")";
     case Kind::choice:
-      return readable_condition(key.allowed.text);
+      return quoted_words(key.allowed.text);
     case Kind::boolean:
       return "true or false";
     case Kind::integer:
@@ -107,9 +128,9 @@ std::string kind_text(const Key& key, int dimension) {
     case Kind::reals:
       return "a list of numbers, each " + std::string(key.allowed.text);
     case Kind::point:
-      return "a list of " + size + " numbers, each " + std::string(key.allowed.text);
+      return "a list of " + size + ", each " + std::string(key.allowed.text);
     case Kind::points:
-      return "a list of points, each of " + size + " finite numbers";
+      return "a list of points, each of " + size + ", finite";
     case Kind::table:
       return "a table";
     case Kind::named_tables:
@@ -160,12 +181,11 @@ std::string describe_allowed(const Key& key, int dimension) {
   return text;
 }
 
-std::string readable_condition(std::string_view when) {
+std::string readable_condition(const Key& key) {
   std::string text;
-  const std::size_t equals = when.find('=');
-  if (equals != std::string_view::npos) text = std::string(when.substr(0, equals)) + " = ";
-  const std::vector<std::string> words = split(when.substr(equals == std::string_view::npos ? 0 : equals + 1), '|');
-  for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? " or \"" : "\"") + words[i] + '"';
+  if (const std::size_t equals = key.when.find('='); equals != std::string_view::npos)
+    text = std::string(key.when.substr(0, equals)) + " = " + quoted_words(key.when.substr(equals + 1));
+  if (key.dimension != 0) text += (text.empty() ? "" : " and ") + ("dimension = " + std::to_string(key.dimension));
   return text;
 }
 

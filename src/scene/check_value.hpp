@@ -21,10 +21,10 @@ struct ValueCheck {
 };
 ValueCheck check_value(const Key& key, const toml::node& node, int dimension);
 
-/// "a number > 0 [Pa]", "a list of 2 numbers", ...
+/// "a number > 0 [Pa]", "a list of 2 numbers (dimension = 2)", ...; `dimension` 0: of a scene of either.
 std::string describe_allowed(const Key& key, int dimension);
 
-/// "type=box|ellipse" as "type = "box" or "ellipse"".
-std::string readable_condition(std::string_view when);
+/// When a row applies: "type=box|ellipse" as "type = "box" or "ellipse"", and its dimension.
+std::string readable_condition(const Key& key);
 
 }  // namespace geodrop

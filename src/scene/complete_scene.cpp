@@ -17,7 +17,7 @@ class TableWalker {
 
   toml::table complete() {
     for (const Key* key : keys_of(section_)) {
-      const Condition condition = holds(key->when);
+      const Condition condition = holds(*key);
       if (condition == Condition::yes) take(*key);
       if (condition == Condition::unknown) undecided_.insert(std::string(key->name));
     }
@@ -31,7 +31,9 @@ class TableWalker {
   std::string path_of(std::string_view name) const { return join_path(path_, name); }
 
   /// `unknown` if the key that decides is itself wrong: then nothing is said about what depends on it.
-  Condition holds(std::string_view when) const {
+  Condition holds(const Key& key) const {
+    if (!applies_in(key, dimension_)) return Condition::no;
+    const std::string_view when = key.when;
     if (when.empty()) return Condition::yes;
     const std::string decider(when.substr(0, when.find('=')));
     if (undecided_.contains(decider)) return Condition::unknown;
@@ -169,20 +171,18 @@ class TableWalker {
   void report_strays() {
     for (const auto& [name, node] : written_) {
       if (out_.contains(name.str()) || undecided_.contains(std::string(name.str()))) continue;
-      std::vector<std::string> known, conditions;
+      std::vector<std::string> known;
+      std::string uses;
       for (const Key* key : keys_of(section_)) {
-        if (holds(key->when) != Condition::no && (known.empty() || known.back() != key->name))
-          known.emplace_back(key->name);
-        if (key->name == name.str()) conditions.emplace_back(key->when);
+        if (holds(*key) != Condition::no && (known.empty() || known.back() != key->name)) known.emplace_back(key->name);
+        if (key->name == name.str()) uses += (uses.empty() ? "" : " or ") + readable_condition(*key);
       }
       const SourceRef at =
           to_ref(node.source().path && *node.source().path == kOverrideSource ? node.source() : name.source());
       const std::string path = path_of(name.str());
-      if (conditions.empty()) {
+      if (uses.empty()) {
         report_.add_at(at, path, "an unknown key", name_advice(name.str(), known, "keys here"));
       } else {
-        std::string uses = readable_condition(conditions.front());
-        for (std::size_t i = 1; i < conditions.size(); ++i) uses += " or " + readable_condition(conditions[i]);
         report_.add_at(at, path, "a key that does not apply here", "only with " + uses);
       }
     }
@@ -201,8 +201,10 @@ class TableWalker {
 
 toml::table complete_scene(const toml::table& written, Report& report) {
   report.place("", {1, 1});
-  // Points are judged by the dimension that the scene asks for, even though only 2 is accepted as its value.
-  const int dimension = written["dimension"].value_or(2) == 3 ? 3 : 2;
+  // Points are judged by the dimension that the scene asks for or, if that is none, by the length of its gravity.
+  const auto asked = written["dimension"].value_or<std::int64_t>(written.contains("dimension") ? 0 : 2);
+  const toml::array* gravity = written["gravity"].as_array();
+  const int dimension = asked == 3 || (asked != 2 && gravity && gravity->size() == 3) ? 3 : 2;
   return TableWalker(written, "", "", dimension, report).complete();
 }
 

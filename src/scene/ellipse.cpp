@@ -68,6 +68,7 @@ double quadrant_distance(double a, double b, double x, double y) {
 }
 
 Point turn(const Point& x, double angle_deg) {
+  if (angle_deg == 0) return x;
   const double c = std::cos(angle_deg * std::numbers::pi / 180), s = std::sin(angle_deg * std::numbers::pi / 180);
   Point turned = x;
   turned[0] = c * x[0] - s * x[1];

@@ -23,7 +23,7 @@ constexpr Range poisson{"> -1 and < 0.5", [](double x) { return x > -1 && x < 0.
 constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
 constexpr Range courant_range{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
 constexpr Range percent{">= 0 and <= 100", [](double x) { return x >= 0 && x <= 100; }};
-constexpr Range plane{"2 (three-dimensional scenes are not supported yet)", [](double x) { return x == 2; }};
+constexpr Range two_or_three{"2 or 3", [](double x) { return x == 2 || x == 3; }};
 constexpr Range per_axis{"1 to 8", [](double x) { return x >= 1 && x <= 8; }};
 constexpr Range bands{"1 to 255", [](double x) { return x >= 1 && x <= 255; }};
 constexpr Range window{"0 to 64", [](double x) { return x >= 0 && x <= 64; }};
@@ -44,14 +44,12 @@ constexpr Section sections[] = {
     {"", "Top level", "", "What the scene is about, and its tables."},
     {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
     {"walls", "[walls]", "",
-     "How the four edges of the domain hold what touches them. Walls never let go: no_slip holds material in all "
-     "directions, slip in the normal one, also where it would pull away (there is no separation). Of two opposite "
-     "walls both "
-     "or neither are periodic: what leaves on one side comes in at the other. Such an axis has at least 5 cells, and "
-     "the "
+     "How the four sides of the domain (3D: six) hold what touches them. The last axis is the vertical one, so bottom "
+     "and top are the ends of y in 2D and of z in 3D. Walls never let go: no_slip holds material in all directions, "
+     "slip in the normal one, also where it would pull away (there is no separation). Of two opposite walls both or "
+     "neither are periodic: what leaves on one side comes in at the other. Such an axis has at least 5 cells, and the "
      "scene no membranes. Between two sorts particles may be up to a cell beyond a periodic wall; positions of tracers "
-     "run "
-     "on across it."},
+     "run on across it."},
     {"solver", "[solver]", "", "The scheme."},
     {"time", "[time]", "", "How long to run."},
     {"output", "[output]", "", "What is written, how often."},
@@ -60,28 +58,29 @@ constexpr Section sections[] = {
     {"bodies.shape", "shape of a body", "", "An inline table; `type` says which keys it has."},
     {"bodies.initial_velocity", "initial_velocity of a body", "", "An inline table; `type` says which keys it has."},
     {"bodies.initial_stress", "initial_stress of a body", "", "An inline table; `type` says which keys it has."},
-    {"membranes", "[[membranes]]", "name", "Tension-only geotextiles on the outline of a body."},
+    {"membranes", "[[membranes]]", "name",
+     "Tension-only geotextiles on the outline of a body; in two dimensions only."},
     {"probes", "[[probes]]", "name", "What is measured beside the standard columns of history.csv."},
     {"results", "[[results]]", "name", "Numbers that a run ends with: a column of history.csv reduced to one value."},
     {"expect", "[[expect]]", "result", "What a result should be, and says who; a run prints both side by side."},
 };
 
-// Columns: section, key, kind, unit, condition, need, allowed, meaning. A key that decides about others (type, model,
-// drainage) stands before them.
+// Columns: section, key, kind, unit, condition, need, allowed, meaning, and the dimension that a row is for if it is
+// for one only. A key that decides about others (type, model, drainage) stands before them.
 // clang-format off
 constexpr Key keys[] = {
     {"", "title", text, "", "", required, filled, "what the scene shows, in a few words"},
     {"", "question", text, "", "", standard("\"\""), free_text, "what this case asks"},
-    {"", "dimension", integer, "", "", standard("2"), plane, "2: plane strain, per metre of depth"},
+    {"", "dimension", integer, "", "", standard("2"), two_or_three, "2: plane strain in x and y, per metre of depth; 3: space. The last axis is the vertical one"},
     {"", "gravity", point, "m/s2", "", required, any, "acceleration of gravity"},
     {"", "grid", table, "", "", required, one_table, "the domain and its cells"},
-    {"", "walls", table, "", "", required, one_table, "the edges of the domain"},
+    {"", "walls", table, "", "", required, one_table, "the sides of the domain"},
     {"", "solver", table, "", "", required, one_table, "the scheme"},
     {"", "time", table, "", "", required, one_table, "how long to run"},
     {"", "output", table, "", "", required, one_table, "what is written"},
     {"", "materials", named_tables, "", "", required, some, "the materials by name"},
     {"", "bodies", table_list, "", "", required, some, "what fills the domain"},
-    {"", "membranes", table_list, "", "", standard("[]"), maybe_none, "geotextiles"},
+    {"", "membranes", table_list, "", "", standard("[]"), maybe_none, "geotextiles", 2},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
     {"", "results", table_list, "", "", standard("[]"), maybe_none, "numbers that the run ends with"},
     {"", "expect", table_list, "", "", standard("[]"), maybe_none, "what the results should be"},
@@ -93,8 +92,10 @@ constexpr Key keys[] = {
 
     {"walls", "left", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower x; never lets go"},
     {"walls", "right", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper x; never lets go"},
-    {"walls", "bottom", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y; never lets go"},
-    {"walls", "top", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y; never lets go"},
+    {"walls", "front", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y; never lets go", 3},
+    {"walls", "back", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y; never lets go", 3},
+    {"walls", "bottom", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y (3D: z); never lets go"},
+    {"walls", "top", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y (3D: z); never lets go"},
 
     {"solver", "transfer", choice, "", "", required, words("apic|blend|musl"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own; musl: like blend without the affine part, strains from the particles' new velocity (the only one on tri3, tet4)"},
     {"solver", "blend_rate", real, "1/s", "transfer=blend|musl", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)"},
@@ -136,20 +137,22 @@ constexpr Key keys[] = {
     {"bodies", "shift", boolean, "", "", standard("false"), yes_no, "move particles out of clumps and into voids (fluids only)"},
     {"bodies", "shift_speed", real, "m/s", "", standard("0.0"), not_negative, "v0, shifting of a particle at rest"},
 
-    {"bodies.shape", "type", choice, "", "", required, words("box|ellipse|polygon|half_plane"), "which shape"},
+    {"bodies.shape", "type", choice, "", "", required, words("box|ellipse|polygon|half_plane"), "which shape", 2},
+    {"bodies.shape", "type", choice, "", "", required, words("box|ellipsoid|half_space"), "which shape", 3},
     {"bodies.shape", "lower", point, "m", "type=box", required, any, "lower corner"},
     {"bodies.shape", "upper", point, "m", "type=box", required, any, "upper corner"},
-    {"bodies.shape", "centre", point, "m", "type=ellipse", required, any, "centre"},
-    {"bodies.shape", "semi_axes", point, "m", "type=ellipse", required, positive, "half lengths of the axes"},
+    {"bodies.shape", "centre", point, "m", "type=ellipse|ellipsoid", required, any, "centre"},
+    {"bodies.shape", "semi_axes", point, "m", "type=ellipse|ellipsoid", required, positive, "half lengths of the axes; those of an ellipsoid lie along x, y, z"},
     {"bodies.shape", "tilt_deg", real, "degree", "type=ellipse", standard("0.0"), any, "anticlockwise rotation of the axes"},
     {"bodies.shape", "points", points, "m", "type=polygon", required, any, "at least 3 corners of a polygon that does not cross itself, in either sense"},
-    {"bodies.shape", "point", point, "m", "type=half_plane", required, any, "a point of the boundary"},
-    {"bodies.shape", "normal", point, "", "type=half_plane", required, any, "points out of the body; of any length"},
+    {"bodies.shape", "point", point, "m", "type=half_plane|half_space", required, any, "a point of the boundary"},
+    {"bodies.shape", "normal", point, "", "type=half_plane|half_space", required, any, "points out of the body; of any length"},
 
     {"bodies.initial_velocity", "type", choice, "", "", required, words("rest|uniform|bar_first_mode"), "which field"},
     {"bodies.initial_velocity", "value", point, "m/s", "type=uniform", required, any, "velocity of all particles"},
     {"bodies.initial_velocity", "amplitude", real, "m/s", "type=bar_first_mode", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))"},
-    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, words("x|y"), "along the bar"},
+    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, words("x|y"), "along the bar", 2},
+    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, words("x|y|z"), "along the bar", 3},
     {"bodies.initial_velocity", "length", real, "m", "type=bar_first_mode", required, positive, "of the bar, which is fixed at coordinate 0"},
 
     {"bodies.initial_stress", "type", choice, "", "", required, words("zero|hydrostatic|k0|fluid_pressure"), "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around"},

@@ -47,6 +47,7 @@ struct Key {
   Need need;
   Range allowed;
   std::string_view meaning;
+  int dimension = 0;  ///< 2 or 3: only in scenes of this dimension; 0: in both
 };
 
 /// A table of the scene file: how it is written, and what names one of several.
@@ -63,6 +64,9 @@ const Section& find_section(std::string_view path);
 
 /// All keys of a section in the order of the table; a name may occur more than once with different conditions.
 std::vector<const Key*> keys_of(std::string_view section);
+
+/// Whether scenes of this dimension know the row.
+inline bool applies_in(const Key& key, int dimension) { return key.dimension == 0 || key.dimension == dimension; }
 
 /// "" + "grid" = "grid", "bodies" + "shape" = "bodies.shape".
 std::string join_path(std::string_view parent, std::string_view child);

@@ -22,9 +22,12 @@ against (`src/scene/key_table.cpp`), so it says what the program does.
   key.
 - The run directory holds the scene as run: overrides applied, defaults filled in. It can be run again.
 - Numbers are finite; only `to` of a result may be `inf`.
+- `dimension = 2` is plane strain in x and y, per metre of depth; `dimension = 3` is space. Points have as many numbers as
+  the scene has dimensions. The last axis is the vertical one: y in 2D, z in 3D. Membranes are in 2D only.
 
 Further checks, across keys: the spacing divides the domain (walls stand on grid lines); bodies lie inside the domain,
-have area left, and do not overlap (`minus` cuts one out of another; a half-plane is cut off by the domain); names
+have area (3D: volume) left, and do not overlap (`minus` cuts one out of another; a half-plane or half-space is cut off
+by the domain); names
 that are referred to exist; names of bodies, membranes and probes differ, as do those of results; the points of a
 membrane lie within a tenth of a cell of its body's outline; `k0` lies within the yield surface of the soil; the
 stress at the start fits the material; moduli and density give a sound speed from 1 to 10000 m/s (a guard against MPa
@@ -32,7 +35,13 @@ and GPa); an undrained soil has K_f / n of at least 20 times the bulk modulus of
 `dilatancy_angle_deg` is at most `friction_angle_deg`; `tension_cutoff` is at most c cot(phi); only fluids shift.
 
 Names of results and of columns of history.csv end in their unit: `_m`, `_s`, `_m_s`, `_m_s2`, `_Pa`, `_N_m`, `_J_m`,
-`_rad`, `_deg`, `_ratio` (no unit), `_r_squared` and so on.
+`_rad`, `_deg`, `_ratio` (no unit), `_r_squared` and so on. Each body has, under its name, `position_*_m` and
+`velocity_*_m_s` of its centre of mass along each axis, `rotation_deg`, `mean_pressure_centre_Pa`,
+`vertical_stress_centre_Pa`, `horizontal_stress_centre_Pa`, `velocity_rms_m_s`, and the extremes of its particles,
+`lowest_m`, `highest_m`, `leftmost_m`, `rightmost_m`. In 3D the rotation is `rotation_x_deg`, `rotation_y_deg`,
+`rotation_z_deg`, the components of axis times angle (at most 180 degrees), the horizontal stresses are
+`horizontal_stress_x_centre_Pa` and `horizontal_stress_y_centre_Pa`, and `frontmost_m` and `backmost_m` are the extremes
+along y. Energies, masses and momenta are per metre of depth in 2D.
 )";
 
 std::string escape_bars(std::string text) {
@@ -54,13 +63,13 @@ std::string need_text(const Key& key) {
 }
 
 std::string row(const Key& key) {
-  constexpr int kDimension = 2;
+  constexpr int kEither = 0;
   // The unit stands in a column of its own.
   Key without_unit = key;
   without_unit.unit = {};
-  const std::string when = key.when.empty() ? "" : readable_condition(key.when);
+  const std::string when = readable_condition(key);
   const std::string unit = key.unit.empty() ? "" : std::string(key.unit);
-  return "| `" + std::string(key.name) + "` | " + describe_allowed(without_unit, kDimension) + " | " + unit + " | " +
+  return "| `" + std::string(key.name) + "` | " + describe_allowed(without_unit, kEither) + " | " + unit + " | " +
          need_text(key) + " | " + when + " | " + escape_bars(std::string(key.meaning)) + " |\n";
 }
 

@@ -192,23 +192,34 @@ double distance_to_outline(const Shape& shape, const Point& x) {
   return std::visit([&](const auto& s) { return distance_of(s, x); }, shape);
 }
 
-Shape clip_half_plane(const Shape& shape, const Bounds& domain) {
+Bounds bounds_within(const Shape& shape, const Bounds& domain) {
   const auto* half = std::get_if<HalfPlaneShape>(&shape);
-  if (!half) return shape;
-  PolygonShape clipped;
-  const std::vector<Point> box = corners(BoxShape{domain.lower, domain.upper});
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    const Point& a = box[i];
-    const Point& b = box[(i + 1) % box.size()];
-    const double height_a = height_over(*half, a), height_b = height_over(*half, b);
-    if (height_a <= 0) clipped.points.push_back(a);
-    if ((height_a < 0 && height_b > 0) || (height_a > 0 && height_b < 0)) {
-      const double s = height_a / (height_a - height_b);
-      clipped.points.push_back({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
+  if (!half) return bounds(shape);
+  const std::size_t dimension = domain.lower.size();
+  Bounds box{Point(dimension, kInfinity), Point(dimension, -kInfinity)};
+  const auto include = [&](const Point& x) {
+    for (std::size_t a = 0; a < dimension; ++a) {
+      box.lower[a] = std::min(box.lower[a], x[a]);
+      box.upper[a] = std::max(box.upper[a], x[a]);
+    }
+  };
+  // Its corners are those of the domain that lie inside, and the points where edges of the domain cross the boundary.
+  for (unsigned k = 0; k < 1u << dimension; ++k) {
+    Point corner = domain.lower;
+    for (std::size_t a = 0; a < dimension; ++a)
+      if ((k >> a & 1u) != 0) corner[a] = domain.upper[a];
+    if (height_over(*half, corner) <= 0) include(corner);
+    for (std::size_t a = 0; a < dimension; ++a) {
+      if ((k >> a & 1u) != 0) continue;
+      Point end = corner;
+      end[a] = domain.upper[a];
+      const double from = height_over(*half, corner), to = height_over(*half, end);
+      if ((from > 0) == (to > 0)) continue;
+      end[a] = corner[a] + (end[a] - corner[a]) * from / (from - to);
+      include(end);
     }
   }
-  if (clipped.points.size() < 3) clipped.points.clear();
-  return clipped;
+  return box;
 }
 
 }  // namespace geodrop

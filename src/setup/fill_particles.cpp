@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/error.hpp>
+#include <geodrop/measure.hpp>
 #include <geodrop/shapes.hpp>
 #include <numeric>
 #include <random>
@@ -49,6 +50,29 @@ class Lattice {
     }
   }
 
+  /// Sites come in blocks of up to `block_width` along each axis.
+  std::int64_t blocks() const {
+    std::int64_t total = 1;
+    for (const std::int64_t n : count_) total *= blocks_along(n);
+    return total;
+  }
+  std::int64_t block_of(std::int64_t site) const {
+    std::int64_t block = 0, stride = 1;
+    for (int a = 0; a < Dim; site /= count_[a], stride *= blocks_along(count_[a]), ++a)
+      block += site % count_[a] / block_width * stride;
+    return block;
+  }
+  /// The box of a block; at the ends of the lattice it reaches beyond the sites.
+  Bounds block_box(std::int64_t block) const {
+    Bounds box{Point(Dim), Point(Dim)};
+    for (int a = 0; a < Dim; block /= blocks_along(count_[a]), ++a) {
+      const std::int64_t first = first_[a] + block % blocks_along(count_[a]) * block_width;
+      box.lower[a] = origin_[a] + static_cast<double>(first) * width_;
+      box.upper[a] = origin_[a] + static_cast<double>(first + block_width) * width_;
+    }
+    return box;
+  }
+
   /// Calls f(neighbour) for the up to 3^Dim - 1 sites around one.
   template <class F>
   void for_each_neighbour(std::int64_t site, F&& f) const {
@@ -66,6 +90,9 @@ class Lattice {
   }
 
  private:
+  static constexpr std::int64_t block_width = 8;
+  static std::int64_t blocks_along(std::int64_t sites) { return (sites + block_width - 1) / block_width; }
+
   Point origin_;
   double width_;
   std::array<std::int64_t, Dim> first_, count_;
@@ -119,13 +146,33 @@ void hand_over(const Lattice<Dim>& lattice, std::vector<Portion<Dim>> small, std
   }
 }
 
+/// Most sites are far from any outline: whole blocks of them are inside or outside, and only the others are looked at
+/// one by one (1.6 million sites of water around an ellipsoid: 9 s without blocks).
+template <int Dim>
+std::vector<Cover> block_covers(const Lattice<Dim>& lattice, const BodyRegion& region) {
+  std::vector<Cover> covers(static_cast<std::size_t>(lattice.blocks()));
+  for (std::size_t b = 0; b < covers.size(); ++b)
+    covers[b] = region.cover(lattice.block_box(static_cast<std::int64_t>(b)));
+  return covers;
+}
+
+template <int Dim>
+SiteShare<Dim> whole_site(const Bounds& site) {
+  SiteShare<Dim> whole{1, {}};
+  for (int a = 0; a < Dim; ++a) whole.centroid[a] = (site.lower[a] + site.upper[a]) / 2;
+  return whole;
+}
+
 template <int Dim>
 std::vector<Portion<Dim>> divide(const Lattice<Dim>& lattice, const BodyRegion& region) {
   std::vector<Portion<Dim>> portions, small;
+  const std::vector<Cover> covers = block_covers(lattice, region);
   Bounds site{Point(Dim), Point(Dim)};
   for (std::int64_t k = 0; k < lattice.size(); ++k) {
+    const Cover block = covers[static_cast<std::size_t>(lattice.block_of(k))];
+    if (block == Cover::none) continue;
     lattice.get_site(k, site);
-    const SiteShare<Dim> part = region.share<Dim>(site);
+    const SiteShare<Dim> part = block == Cover::all ? whole_site<Dim>(site) : region.share<Dim>(site);
     if (part.share > 0) (part.share < smallest_share ? small : portions).push_back({k, part});
   }
   hand_over(lattice, std::move(small), portions);
@@ -166,7 +213,7 @@ void jitter(const Lattice<Dim>& lattice, const BodyRegion& region, const BodySpe
 
 template <int Dim>
 void number_layers(Body<Dim>& body, int layers) {
-  const auto& height = body.x[1];
+  const auto& height = body.x[vertical_axis<Dim>];
   const auto [low, high] = std::minmax_element(height.begin(), height.end());
   const double bottom = *low, extent = std::max(*high - *low, 1e-300);
   body.layer.resize(height.size());
@@ -175,17 +222,22 @@ void number_layers(Body<Dim>& body, int layers) {
         static_cast<std::uint8_t>(std::min(layers - 1, static_cast<int>((height[p] - bottom) / extent * layers)));
 }
 
+template <int Dim>
+bool any_particle(const Scene& scene, const BodySpec& spec) {
+  const Lattice<Dim> lattice(scene, spec);
+  const BodyRegion region(scene, spec);
+  Bounds site{Point(Dim), Point(Dim)};
+  for (std::int64_t k = 0; k < lattice.size(); ++k) {
+    lattice.get_site(k, site);
+    if (region.share<Dim>(site).share >= smallest_share) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool has_particles(const Scene& scene, const BodySpec& spec) {
-  const Lattice<2> lattice(scene, spec);
-  const BodyRegion region(scene, spec);
-  Bounds site{Point(2), Point(2)};
-  for (std::int64_t k = 0; k < lattice.size(); ++k) {
-    lattice.get_site(k, site);
-    if (region.share<2>(site).share >= smallest_share) return true;
-  }
-  return false;
+  return scene.dimension == 2 ? any_particle<2>(scene, spec) : any_particle<3>(scene, spec);
 }
 
 template <int Dim>

@@ -15,16 +15,21 @@ struct SiteShare {
   std::array<double, Dim> centroid{};  ///< [m]
 };
 
+/// How much of a site, or of a block of sites, belongs to a body; `part` may also be said of one that is just touched.
+enum class Cover { none, part, all };
+
 /// The material points that belong to a body: inside its shape, outside all shapes cut out of it.
 class BodyRegion {
  public:
   BodyRegion(const Scene& scene, const BodySpec& spec);
 
   bool holds(const Point& x) const;
+  Cover cover(const Bounds& box) const;
 
-  /// The share of an axis-aligned site. Lengths along x are exact, and Gauss points integrate them over the other axes
-  /// between all levels at which an outline bends, begins, ends or leaves the site: exact for boxes and (2D) polygons
-  /// that are cut by nothing, else to about 1e-4 of the site.
+  /// The share of an axis-aligned site. Lengths along x are exact, and Gauss points integrate them over y, and in 3D
+  /// the exact sections over z, between all levels at which an outline bends, begins, ends or leaves the site: exact
+  /// for boxes, polygons and half-spaces, to about 1e-7 of the site for ellipses and ellipsoids, and to 1e-3 where two
+  /// outlines cross within the site.
   template <int Dim>
   SiteShare<Dim> share(const Bounds& site) const;
 

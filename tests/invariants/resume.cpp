@@ -50,6 +50,18 @@ TEST_CASE("Stopped twice and resumed: the same hash and history") {
   CHECK(geodrop::read_file(run.file("history.csv")) == uninterrupted().history);
 }
 
+TEST_CASE("In space: stopped by --until and resumed on other threads, the same hash and history") {
+  const std::string run_up = "tests/scenes/run_up_3d.toml";
+  const std::vector<std::string> jittered{"bodies.water.jitter=0.3", "bodies.water.shift=true"};
+  const Left whole(SceneRun(run_up, jittered, {"--threads", "1"}));
+  SceneRun run(run_up, jittered, {"--threads", "2", "--until", "0.031"});
+  CHECK(run.outcome().code == 0);
+  CHECK(run.hash() != whole.hash);
+  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
+  CHECK(run.hash() == whole.hash);
+  CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};

@@ -1,4 +1,5 @@
-// Every row of the table of keys, against a scene in which every row occurs: each key is broken in turn.
+// Every row of the table of keys, against two scenes in which every row occurs: one in the plane for all rows but those
+// of space, one in space for these. Each key is broken in turn.
 #include "scene/key_table.hpp"
 #include "scene/toml.hpp"
 #include "support/scene_files.hpp"
@@ -15,6 +16,10 @@ using namespace geodrop;
 namespace {
 
 const std::string every_key = source_path("tests/scene/every_key.toml");
+const std::string every_key_3d = source_path("tests/scene/every_key_3d.toml");
+
+/// The scene in which a row occurs.
+const std::string& scene_of(const Key& key) { return key.dimension == 3 ? every_key_3d : every_key; }
 
 /// All tables of the scene as run, by section, with the full key of each.
 using Tables = std::multimap<std::string, std::pair<std::string, toml::table>>;
@@ -37,10 +42,16 @@ void collect(const toml::table& table, const std::string& section, const std::st
   }
 }
 
-Tables all_tables() {
-  Tables tables;
-  collect(toml::parse(read_scene(every_key).as_run), "", "", tables);
-  return tables;
+struct BothScenes {
+  Tables plane, space;
+  const Tables& of(const Key& key) const { return key.dimension == 3 ? space : plane; }
+};
+
+BothScenes all_tables() {
+  BothScenes both;
+  collect(toml::parse(read_scene(every_key).as_run), "", "", both.plane);
+  collect(toml::parse(read_scene(every_key_3d).as_run), "", "", both.space);
+  return both;
 }
 
 bool applies(const Key& key, const toml::table& table) {
@@ -53,8 +64,8 @@ bool applies(const Key& key, const toml::table& table) {
 }
 
 /// The full key, by index, of a place where the row applies; empty if there is none.
-std::string place_of(const Key& key, const Tables& tables) {
-  const auto [begin, end] = tables.equal_range(std::string(key.section));
+std::string place_of(const Key& key, const BothScenes& both) {
+  const auto [begin, end] = both.of(key).equal_range(std::string(key.section));
   for (auto it = begin; it != end; ++it) {
     if (applies(key, it->second.second)) return join_path(it->second.first, key.name);
   }
@@ -63,7 +74,7 @@ std::string place_of(const Key& key, const Tables& tables) {
 
 /// The message for an override of `path` speaks of the row's key.
 void check_refused(const Key& key, const std::string& path, const std::string& value) {
-  const std::string error = scene_error(every_key, {path + "=" + value});
+  const std::string error = scene_error(scene_of(key), {path + "=" + value});
   CAPTURE(path);
   CAPTURE(value);
   CAPTURE(error);
@@ -92,7 +103,7 @@ std::string wrong_type(Kind kind) {
 }  // namespace
 
 TEST_CASE("every row occurs in the scene of the tests") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   for (const Key& key : key_table()) {
     CAPTURE(std::string(key.section));
     CAPTURE(std::string(key.name));
@@ -102,17 +113,17 @@ TEST_CASE("every row occurs in the scene of the tests") {
 }
 
 TEST_CASE("a wrong type is refused for every key") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   for (const Key& key : key_table()) check_refused(key, place_of(key, tables), wrong_type(key.kind));
 }
 
 TEST_CASE("a date is refused for every key") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   for (const Key& key : key_table()) check_refused(key, place_of(key, tables), "1994-05-27");
 }
 
 TEST_CASE("a required key that is missing is named") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   int count = 0;
   for (const Key& key : key_table()) {
     if (key.need.how != Need::How::required) continue;
@@ -123,7 +134,7 @@ TEST_CASE("a required key that is missing is named") {
 }
 
 TEST_CASE("not-a-number, infinity and every number out of range are refused") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   int ranges = 0;
   for (const Key& key : key_table()) {
     const std::string path = place_of(key, tables);
@@ -151,10 +162,10 @@ TEST_CASE("not-a-number, infinity and every number out of range are refused") {
 }
 
 TEST_CASE("a misspelt key is named, with the key that was meant") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   for (const Key& key : key_table()) {
     const std::string path = place_of(key, tables) + "_";
-    const std::string error = scene_error(every_key, {path + "=1"});
+    const std::string error = scene_error(scene_of(key), {path + "=1"});
     CAPTURE(error);
     CHECK(error.find(std::string(key.name) + "_: found an unknown key; allowed: one of") != std::string::npos);
     CHECK(error.find("the nearest is \"" + std::string(key.name) + '"') != std::string::npos);
@@ -162,12 +173,12 @@ TEST_CASE("a misspelt key is named, with the key that was meant") {
 }
 
 TEST_CASE("every choice refuses a word that is none of its own, and names the nearest") {
-  const Tables tables = all_tables();
+  const BothScenes tables = all_tables();
   for (const Key& key : key_table()) {
     if (key.kind != Kind::choice) continue;
     const std::vector<std::string> words = split(key.allowed.text, '|');
     check_refused(key, place_of(key, tables), words.back() + "x");
-    const std::string error = scene_error(every_key, {place_of(key, tables) + "=" + words.back() + "x"});
+    const std::string error = scene_error(scene_of(key), {place_of(key, tables) + "=" + words.back() + "x"});
     for (const std::string& word : words) CHECK(error.find('"' + word + '"') != std::string::npos);
   }
 }
@@ -189,6 +200,29 @@ TEST_CASE("a row whose condition does not hold is refused") {
         std::string::npos);
 }
 
+TEST_CASE("a key of the other dimension is refused") {
+  CHECK(scene_error(every_key, {"walls.front=slip"})
+            .find("walls.front: found a key that does not apply here; allowed: only with dimension = 3") !=
+        std::string::npos);
+  CHECK(scene_error(every_key_3d, {"membranes=[]"})
+            .find("membranes: found a key that does not apply here; allowed: only with dimension = 2") !=
+        std::string::npos);
+  CHECK(scene_error(every_key_3d, {"bodies.bag.shape.tilt_deg=5"}).find("only with type = \"ellipse\"") !=
+        std::string::npos);
+}
+
+TEST_CASE("a dimension that is neither 2 nor 3 is the only complaint") {
+  for (const std::string& scene : {every_key, every_key_3d}) {
+    for (const char* value : {"4", "0", "2.5", "'three'"}) {
+      const std::string error = scene_error(scene, {std::string("dimension=") + value});
+      CAPTURE(error);
+      CHECK(error.find("dimension: found ") != std::string::npos);
+      CHECK(error.find("allowed: a whole number 2 or 3") != std::string::npos);
+      CHECK(error.find('\n') == std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("what depends on a wrong key is not complained about") {
   for (const char* override :
        {"materials.clay.model=mohr_coulmb", "materials.clay.drainage=3", "bodies.bed.initial_stress.type=k1",
@@ -203,7 +237,8 @@ TEST_CASE("what depends on a wrong key is not complained about") {
 TEST_CASE("rows are well formed") {
   std::set<std::string> seen;
   for (const Key& key : key_table()) {
-    const std::string row = join_path(key.section, key.name) + "?" + std::string(key.when);
+    const std::string row =
+        join_path(key.section, key.name) + "?" + std::string(key.when) + "?" + std::to_string(key.dimension);
     CAPTURE(row);
     CHECK(seen.insert(row).second);
     CHECK(find_section(key.section).path == key.section);

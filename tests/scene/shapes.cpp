@@ -149,8 +149,53 @@ TEST_CASE("half-plane: the side away from its normal, cut off by the domain") {
   CHECK(distance_to_outline(half, {3, 3}) == doctest::Approx(2));
   CHECK(area(half) == std::numeric_limits<double>::infinity());
   const Bounds unit{{0, 0}, {1, 1}};
-  CHECK(area(clip_half_plane(HalfPlaneShape{{0.5, 0.5}, {1, 1}}, unit)) == doctest::Approx(0.5));
-  CHECK(area(clip_half_plane(HalfPlaneShape{{0, 0.25}, {0, 1}}, unit)) == doctest::Approx(0.25));
-  CHECK(area(clip_half_plane(HalfPlaneShape{{0, 2}, {0, 1}}, unit)) == doctest::Approx(1));
-  CHECK(std::get<PolygonShape>(clip_half_plane(HalfPlaneShape{{0, -1}, {0, 1}}, unit)).points.empty());
+  const Bounds slope = bounds_within(HalfPlaneShape{{0.5, 0.25}, {1, 2}}, unit);  // y <= 0.5 - x / 2
+  CHECK(slope.lower == Point{0, 0});
+  CHECK(slope.upper[0] == doctest::Approx(1));
+  CHECK(slope.upper[1] == doctest::Approx(0.5));
+  const Bounds over = bounds_within(HalfPlaneShape{{0, 0.25}, {0, -1}}, unit);
+  CHECK(over.lower[1] == doctest::Approx(0.25));
+  CHECK(over.upper == Point{1, 1});
+  CHECK(bounds_within(HalfPlaneShape{{0, 2}, {0, 1}}, unit).upper == Point{1, 1});
+  const Bounds none = bounds_within(HalfPlaneShape{{0, -1}, {0, 1}}, unit);
+  CHECK(none.lower[0] > none.upper[0]);
+}
+
+TEST_CASE("half-space: the part of the domain that it leaves") {
+  // x + y + z <= 1 in a box of 2 m x 3 m x 0.5 m.
+  const HalfPlaneShape half{{1, 0, 0}, {3, 3, 3}};
+  CHECK(contains(half, {0.2, 0.3, 0.5}));
+  CHECK_FALSE(contains(half, {0.2, 0.3, 0.51}));
+  const Bounds box = bounds_within(half, {{0, 0, 0}, {2, 3, 0.5}});
+  CHECK(box.lower == Point{0, 0, 0});
+  CHECK(box.upper[0] == doctest::Approx(1));
+  CHECK(box.upper[1] == doctest::Approx(1));
+  CHECK(box.upper[2] == 0.5);
+}
+
+TEST_CASE("sections of a box, an ellipsoid and half-spaces") {
+  const BoxShape box{{0, 1, 2}, {3, 4, 6}};
+  CHECK(section(box, 1, 2.5) == Shape{BoxShape{{0, 2}, {3, 6}}});
+  CHECK_FALSE(section(box, 1, 4.5));
+  // 0.6 of the semi-axis off the centre the others shrink to 0.8.
+  const EllipseShape ellipsoid{{1, 2, 3}, {5, 10, 20}, 0};
+  const std::optional<Shape> cut = section(ellipsoid, 2, 15);
+  REQUIRE(cut);
+  const auto& ellipse = std::get<EllipseShape>(*cut);
+  CHECK(ellipse.centre == Point{1, 2});
+  CHECK(ellipse.semi_axes[0] == doctest::Approx(4));
+  CHECK(ellipse.semi_axes[1] == doctest::Approx(8));
+  CHECK_FALSE(section(ellipsoid, 0, -4.1));
+  // x + 2 z <= 4 at y = 7 and at z = 1 (x <= 2); level ones are there or not.
+  const HalfPlaneShape slope{{0, 0, 2}, {1, 0, 2}};
+  const std::optional<Shape> upright = section(slope, 1, 7), level = section(slope, 2, 1);
+  REQUIRE((upright && level));
+  CHECK(contains(*upright, {2, 0.99}));
+  CHECK_FALSE(contains(*upright, {2, 1.01}));
+  CHECK(contains(*level, {1.99, 100}));
+  CHECK_FALSE(contains(*level, {2.01, -100}));
+  const HalfPlaneShape floor{{0, 0, 2}, {0, 0, 1}};
+  REQUIRE(section(floor, 2, 1.9));
+  CHECK(contains(*section(floor, 2, 1.9), {1e9, -1e9}));
+  CHECK_FALSE(section(floor, 2, 2.1));
 }
