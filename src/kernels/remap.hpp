@@ -35,10 +35,13 @@ void sum_momentum_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begi
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
-      ScatterRecord<Dim> momentum{};
-      for (int a = 0; a < Dim; ++a) momentum.value[a] = body.mass[p + k] * body.v[a][p + k];
-      momentum.value[3] = body.mass[p + k];
-      add_particle<Dim, Basis, false>(momentum, grid, weights, k);
+      const double m = body.mass[p + k];
+      Vec4 momentum{};
+      for (int a = 0; a < Dim; ++a) momentum[a] = m * body.v[a][p + k];
+      momentum[3] = m;
+      ScatterRecord<Dim> record{};
+      record.value = momentum;
+      add_particle<Dim, Basis, false>(record, grid, weights, k);
     }
   }
 }

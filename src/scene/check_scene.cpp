@@ -49,15 +49,11 @@ bool check_axis(const GridSpec& grid, std::size_t axis, Report& report) {
   return false;
 }
 
-void check_basis(const Scene& scene, Report& report) {
+/// Simplices have no affine transfer (kernels/bases.hpp).
+void check_transfer(const Scene& scene, Report& report) {
   if (!report.healthy("grid.basis") || !report.healthy("solver.transfer")) return;
   const Basis basis = scene.grid.basis;
-  const bool triangles = basis == Basis::tri3, tetrahedra = basis == Basis::tet4;
-  if (triangles && scene.dimension == 3)
-    report.add("grid.basis", "\"tri3\" in three dimensions", "bspline2, gimp, linear or tet4");
-  if (tetrahedra && scene.dimension == 2)
-    report.add("grid.basis", "\"tet4\" in two dimensions", "bspline2, gimp, linear or tri3");
-  if ((triangles || tetrahedra) && scene.solver.transfer != Transfer::musl)
+  if ((basis == Basis::tri3 || basis == Basis::tet4) && scene.solver.transfer != Transfer::musl)
     report.add("solver.transfer", "an affine transfer on simplices, where it is unstable", "\"musl\"");
 }
 
@@ -115,6 +111,7 @@ void check_walls(const Scene& scene, Report& report) {
 void check_scene(const Scene& scene, Report& report) {
   check_grid(scene, report);
   check_basis(scene, report);
+  check_transfer(scene, report);
   check_walls(scene, report);
   check_materials(scene, report);
   check_bodies(scene, report);
