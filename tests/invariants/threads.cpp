@@ -47,14 +47,15 @@ TEST_CASE("Elastic column: one hash for 1, 2, 3 and 5 threads") {
 TEST_CASE("Periodic walls: one hash for 1, 2, 3 and 5 threads") {
   check_threads("tests/scenes/periodic.toml",
                 {"grid.spacing=0.125", "bodies.water.particles_per_cell_axis=3", "time.end=0.2"});
+}
 
-  TEST_CASE("Sand and water in space: one hash for 1, 2, 3 and 5 threads") {
-    // Finer and deeper than the scene: several pencils along y and z, yielding sand, cell pressure, blending.
-    check_threads("tests/scenes/run_up_3d.toml",
-                  {"grid.spacing=0.25", "grid.upper.1=3.0", "bodies.sand.shape.upper.1=3.0",
-                   "bodies.water.shape.upper.1=3.0", "bodies.sand.jitter=0.2", "time.end=0.1"});
-  }
+TEST_CASE("Sand and water in space: one hash for 1, 2, 3 and 5 threads") {
+  // Finer and deeper than the scene: several pencils along y and z, yielding sand, cell pressure, blending.
+  check_threads("tests/scenes/run_up_3d.toml",
+                {"grid.spacing=0.25", "grid.upper.1=3.0", "bodies.sand.shape.upper.1=3.0",
+                 "bodies.water.shape.upper.1=3.0", "bodies.sand.jitter=0.2", "time.end=0.1"});
+}
 
-  TEST_CASE("Shifting water in space: one hash for 1, 2, 3 and 5 threads") {
-    check_threads("cases/hydrostatic_column_3d.toml", {"time.end=0.1"});
-  }
+TEST_CASE("Shifting water in space: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("cases/hydrostatic_column_3d.toml", {"time.end=0.1"});
+}
