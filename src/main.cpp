@@ -32,7 +32,12 @@ struct Arguments {
   bool resume = false;
   bool verify = false;
   bool quick = false;
+  bool growth = false;
   std::string only;
+  double particles = 0;
+  std::string bench_scene;
+  std::string ratios;
+  bool compare = false;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -130,8 +135,33 @@ int info(const Arguments& arguments) {
 int bench(const Arguments& arguments) {
   const int threads = choose_threads(arguments.threads);
   omp_set_num_threads(threads);
-  return geodrop::run_bench(
-      {arguments.output.empty() ? "runs/bench" : arguments.output, threads, arguments.quick, arguments.only});
+  geodrop::BenchOptions options;
+  options.directory = arguments.output.empty() ? "runs/bench" : arguments.output;
+  options.threads = threads;
+  options.quick = arguments.quick || arguments.compare;
+  options.only = arguments.only;
+  options.particles = arguments.particles;
+  options.scene = arguments.bench_scene;
+  if (arguments.compare) options.check = arguments.ratios;
+  return arguments.growth ? geodrop::run_growth(options) : geodrop::run_bench(options);
+}
+
+void add_bench_options(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--quick", arguments.quick, "1e5 instead of 1e6 particles, fewer repeats");
+  command.add_option("--threads", arguments.threads, "number of threads (default: all cores)")->check(thread_count());
+  command.add_option("--output", arguments.output, "directory for bench.csv or growth.csv (default: runs/bench)");
+  command.add_option("--only", arguments.only, "only benchmarks whose name contains this");
+  command.add_option("--particles", arguments.particles, "particles of a block; with --growth, at most")
+      ->check(only_if<double>([](double n) { return n >= 1e3 && n <= 1e8; }, "a number from 1e3 to 1e8"));
+  command.add_option("--scene", arguments.bench_scene, "main case (default: cases/dump_kekerdom.toml)");
+  auto* growth = command.add_flag("--growth", arguments.growth,
+                                  "cost against number of particles and size of the domain, on 1 and on all threads");
+  command
+      .add_option("--check", arguments.ratios,
+                  "as --quick, and exit with 1 if a benchmark lost more than 10 % against the ratios of this file "
+                  "(default: those of perf/results)")
+      ->expected(0, 1)
+      ->excludes(growth);
 }
 
 }  // namespace
@@ -162,11 +192,7 @@ int main(int argc, char** argv) {
   info_command->add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
 
   auto* bench_command = app.add_subcommand("bench", "measure million particle-steps per second; writes bench.csv");
-  bench_command->add_flag("--quick", arguments.quick, "1e5 instead of 1e6 particles");
-  bench_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(thread_count());
-  bench_command->add_option("--output", arguments.output, "directory for bench.csv (default: runs/bench)");
-  bench_command->add_option("--only", arguments.only, "only benchmarks whose name contains this");
+  add_bench_options(*bench_command, arguments);
 
   try {
     app.parse(argc, argv);
@@ -174,6 +200,7 @@ int main(int argc, char** argv) {
     if (*run_command) return run(arguments);
     if (*check_command) return check(arguments);
     if (*stages_command) return stages(arguments);
+    arguments.compare = bench_command->count("--check") > 0;
     if (*bench_command) return bench(arguments);
     return info(arguments);
   } catch (const CLI::ParseError& error) {

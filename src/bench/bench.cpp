@@ -1,166 +1,226 @@
-// Benchmarks: a block of one material moves through a box; whole steps are timed, sort and grid included.
+// Runs the table of benchmarks: prints, writes bench.csv, compares with committed ratios.
 #include <geodrop/bench.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/scene_reader.hpp>
 
-#include <omp.h>
+#include "machine.hpp"
+#include "measure_speed.hpp"
+#include "ratio_check.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
+#include <stdexcept>
 
 namespace geodrop {
 namespace {
 
-struct Benchmark {
-  const char* name;
-  int dimension;
-  const char* material;
-  Transfer transfer;
-  PressureSupport pressure;
+/// What a row of bench.csv says of the benchmark itself.
+struct Labels {
+  std::string name;
+  int dimension = 2;
+  std::string basis, material, transfer, pressure;
 };
 
-// Every (dimension, basis, material) pair that ships, and the options that change the cost of a step.
-constexpr Benchmark benchmarks[] = {
-    {"water_2d", 2, "newtonian", Transfer::apic, PressureSupport::particle},
-    {"water_2d_cell", 2, "newtonian", Transfer::apic, PressureSupport::cell},
-    {"water_2d_cell_blend", 2, "newtonian", Transfer::blend, PressureSupport::cell},
-    {"elastic_2d", 2, "linear_elastic", Transfer::apic, PressureSupport::particle},
-    {"soil_2d", 2, "mohr_coulomb", Transfer::apic, PressureSupport::particle},
-    {"soil_2d_cell", 2, "mohr_coulomb", Transfer::apic, PressureSupport::cell},
-    {"water_3d", 3, "newtonian", Transfer::apic, PressureSupport::particle},
-    {"water_3d_cell", 3, "newtonian", Transfer::apic, PressureSupport::cell},
-    {"elastic_3d", 3, "linear_elastic", Transfer::apic, PressureSupport::particle},
-    {"soil_3d", 3, "mohr_coulomb", Transfer::apic, PressureSupport::particle},
+/// A benchmark that can be measured as often as wanted.
+struct Candidate {
+  Labels labels;
+  std::function<SpeedMeasurement()> measure;
 };
 
-MaterialSpec make_spec(const std::string& model) {
-  MaterialSpec spec;
-  spec.name = model;
-  if (model == "newtonian")
-    spec.model = NewtonianSpec{1000, 3.6e6, 0};
-  else if (model == "linear_elastic")
-    spec.model = LinearElasticSpec{2000, 10e6, 0.33};
-  else
-    spec.model = MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, std::nullopt};
-  return spec;
+struct Row {
+  Labels labels;
+  SpeedMeasurement speed;
+};
+
+Labels labels_of(const Benchmark& bench) {
+  return {bench.name,
+          bench.dimension,
+          name_of(bench.basis),
+          name_of(bench.material),
+          name_of(bench.transfer),
+          name_of(bench.pressure)};
 }
 
-/// A cube of about `particles` particles, 2 per cell and axis, at 0.15 c along every axis: it crosses a cell in 13
-/// steps.
-Scene bench_scene(const Benchmark& bench, double particles) {
-  const int d = bench.dimension;
-  const int cells = static_cast<int>(std::lround(std::pow(particles, 1.0 / d) / 2));
-  constexpr int margin = 8;
-  Scene scene;
-  scene.dimension = d;
-  scene.grid.lower.assign(d, 0.0);
-  scene.grid.upper.assign(d, cells + 2.0 * margin);
-  scene.grid.spacing = 1;
-  scene.walls.lower.assign(d, WallKind::slip);
-  scene.walls.upper = scene.walls.lower;
-  scene.gravity.assign(d, 0.0);
-  scene.gravity[1] = -9.81;
-  scene.solver.transfer = bench.transfer;
-  scene.solver.blend_rate = bench.transfer == Transfer::blend ? 10 : 0;
-  scene.time.end = 1e3;
-  scene.materials.push_back(make_spec(bench.material));
-  BodySpec body;
-  body.name = "block";
-  body.material = bench.material;
-  body.shape = BoxShape{Point(d, double(margin)), Point(d, cells + double(margin))};
-  body.pressure = bench.pressure;
-  body.initial_velocity = UniformVelocitySpec{Point(d, 0.15 * wave_speed(make_material(scene.materials[0])))};
-  body.initial_stress = ZeroStressSpec{};
-  if (d == 2 && std::string(bench.material) == "mohr_coulomb")
-    body.initial_stress = K0StressSpec{cells + double(margin), 0.5, std::nullopt};
-  scene.bodies.push_back(body);
-  return scene;
+bool wanted(const BenchOptions& options, const std::string& name) {
+  return name.find(options.only) != std::string::npos;
 }
 
-template <int Dim>
-double bytes_of(const Body<Dim>& body) {
-  const int scalars = Dim * Dim + 2 * Dim + 2 +
-                      (body.stress[0].empty() ? 0 : stress_components<Dim>)+(body.pore_pressure.empty() ? 0 : 1) +
-                      (body.deviatoric_strain.empty() ? 0 : 1);
-  return scalars * sizeof(double);
-}
-
-template <int Dim>
-BenchRow time_benchmark(const Benchmark& bench, const BenchOptions& options, const MachineRoofs& roofs) {
-  const Scene scene = bench_scene(bench, options.quick ? 1e5 : 1e6);
-  State<Dim> state = build_state<Dim>(scene);
-  Grid<Dim> grid = make_grid<Dim>(scene);
-  Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
-  const int steps = options.quick ? 20 : 30, repeats = options.quick ? 3 : 5;
-  advance(scene, pipeline, state, grid);
-  for (Stage<Dim>& stage : pipeline) stage.seconds = 0;
-  std::vector<double> speeds;
-  const double n = static_cast<double>(state.bodies[0].size());
-  for (int r = 0; r < repeats; ++r) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int s = 0; s < steps; ++s) advance(scene, pipeline, state, grid);
-    speeds.push_back(n * steps / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() *
-                     1e-6);
+void add_main_case(const BenchOptions& options, const Effort& effort, ReferenceKernels& reference,
+                   std::vector<Candidate>& candidates) {
+  const std::filesystem::path file = options.scene.empty() ? find_in_tree("cases/dump_kekerdom.toml") : options.scene;
+  if (file.empty()) {
+    std::printf(
+        "%s is left out: there is no cases/dump_kekerdom.toml above this program or this directory; give it by"
+        " --scene\n",
+        main_case_name);
+    return;
   }
-  std::sort(speeds.begin(), speeds.end());
-  const auto slowest = std::max_element(pipeline.begin(), pipeline.end(),
-                                        [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
-  BenchRow row{bench.name,
-               Dim,
-               "bspline2",
-               bench.material,
-               bench.transfer == Transfer::apic ? "apic" : "blend",
-               bench.pressure == PressureSupport::cell ? "cell" : "particle",
-               state.bodies[0].size(),
-               options.threads,
-               speeds[speeds.size() / 2],
-               speeds.front(),
-               speeds.back(),
-               0,
-               bytes_of(state.bodies[0]),
-               0,
-               0,
-               slowest->name};
-  row.ns_per_particle_step = 1e3 / row.mpps;
-  row.memory_share = row.mpps * 1e6 * 2 * row.bytes_per_particle / (roofs.gbytes_s * 1e9);
-  row.arithmetic_ratio = row.mpps / roofs.gflops;
-  return row;
+  const Scene scene = read_scene(file.string());
+  candidates.push_back(
+      {{main_case_name, scene.dimension, name_of(scene.grid.basis), "mixed", name_of(scene.solver.transfer), "mixed"},
+       [=, &reference] { return measure_main_case(scene, effort, reference); }});
 }
 
-void write_csv(const std::filesystem::path& file, const std::vector<BenchRow>& rows, const MachineRoofs& roofs) {
+std::vector<Candidate> candidates(const BenchOptions& options, ReferenceKernels& reference) {
+  const Effort effort = options.quick ? Effort{5, 1} : Effort{7, 2};
+  BlockSize size;
+  size.particles = options.particles > 0 ? options.particles : options.quick ? 1e5 : 1e6;
+  std::vector<Candidate> all;
+  for (const Benchmark& bench : all_benchmarks())
+    if (wanted(options, bench.name))
+      all.push_back({labels_of(bench), [=, &reference] { return measure_block(bench, size, effort, reference); }});
+  if (wanted(options, main_case_name)) add_main_case(options, effort, reference, all);
+  return all;
+}
+
+/// Names of all stages, in the order in which they are first met.
+std::vector<std::string> stage_names(const std::vector<Row>& rows) {
+  std::vector<std::string> names;
+  for (const Row& row : rows)
+    for (const StageTime& stage : row.speed.median().stages)
+      if (std::find(names.begin(), names.end(), stage.name) == names.end()) names.push_back(stage.name);
+  return names;
+}
+
+double stage_ns(const SpeedSample& sample, const std::string& name) {
+  for (const StageTime& stage : sample.stages)
+    if (stage.name == name) return stage.seconds;
+  return 0;
+}
+
+void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, int threads) {
+  const std::vector<std::string> stages = stage_names(rows);
+  const std::string processor = processor_name();
   std::ofstream out(file);
-  out << "name,dimension,basis,material,transfer,pressure,particles,threads,mpps,mpps_min,mpps_max,ns_per_particle_"
-         "step,bytes_per_particle,"
-         "memory_share,mpps_per_gflops,slowest_stage,roof_gflops,roof_gbytes_s\n";
-  for (const BenchRow& r : rows)
-    out << r.name << ',' << r.dimension << ',' << r.basis << ',' << r.material << ',' << r.transfer << ',' << r.pressure
-        << ',' << r.particles << ',' << r.threads << ',' << r.mpps << ',' << r.mpps_min << ',' << r.mpps_max << ','
-        << r.ns_per_particle_step << ',' << r.bytes_per_particle << ',' << r.memory_share << ',' << r.arithmetic_ratio
-        << ',' << r.slowest_stage << ',' << roofs.gflops << ',' << roofs.gbytes_s << '\n';
+  out << "name,dimension,basis,material,transfer,pressure,particles,threads,mpps,mpps_min,mpps_max,"
+         "ns_per_particle_step,bytes_per_particle,arithmetic_fraction,memory_fraction,ratio,flops_per_particle_step,"
+         "bytes_per_particle_step,roof_gflops,roof_gbytes_s,processor";
+  for (const std::string& stage : stages) out << ",ns_" << stage;
+  out << '\n';
+  for (const auto& [labels, m] : rows) {
+    out << labels.name << ',' << labels.dimension << ',' << labels.basis << ',' << labels.material << ','
+        << labels.transfer << ',' << labels.pressure << ',' << m.particles << ',' << threads << ',' << m.mpps() << ','
+        << 1e3 / m.samples.back().ns << ',' << 1e3 / m.samples.front().ns << ',' << m.median().ns << ','
+        << m.bytes_per_particle << ',' << m.arithmetic_fraction() << ',' << m.memory_fraction() << ',' << m.ratio()
+        << ',' << m.work.flops << ',' << m.work.bytes << ',' << m.roofs.gflops << ',' << m.roofs.gbytes_s << ','
+        << processor;
+    for (const std::string& stage : stages) out << ',' << stage_ns(m.median(), stage);
+    out << '\n';
+  }
   if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
 }
+
+void print_head() {
+  std::printf("%-28s %9s %7s %7s %7s %7s %6s %6s %6s  %s\n", "name", "particles", "mpps", "min", "max", "ns", "arith.",
+              "memory", "ratio", "slowest stage");
+}
+
+void print_row(const Row& row) {
+  const SpeedMeasurement& m = row.speed;
+  const auto& stages = m.median().stages;
+  const auto slowest = std::max_element(stages.begin(), stages.end(),
+                                        [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  std::printf("%-28s %9zu %7.2f %7.2f %7.2f %7.2f %6.3f %6.3f %6.3f  %s %.0f %%\n", row.labels.name.c_str(),
+              m.particles, m.mpps(), 1e3 / m.samples.back().ns, 1e3 / m.samples.front().ns, m.median().ns,
+              m.arithmetic_fraction(), m.memory_fraction(), m.ratio(), slowest->name.c_str(),
+              100 * slowest->seconds / m.median().ns);
+  std::fflush(stdout);
+}
+
+/// Pairs that differ in the support of pressure only.
+void print_cost_of_cell_pressure(const std::vector<Row>& rows) {
+  for (const Row& cell : rows) {
+    const auto twin = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+      const Labels &a = row.labels, &b = cell.labels;
+      return b.pressure == "cell" && a.pressure == "particle" && a.dimension == b.dimension && a.basis == b.basis &&
+             a.material == b.material && a.transfer == b.transfer;
+    });
+    if (twin == rows.end()) continue;
+    const double with = cell.speed.median().ns, without = twin->speed.median().ns;
+    std::printf("cell pressure, %s: %.2f ns per particle-step more than %.2f (%+.0f %%)\n", cell.labels.name.c_str(),
+                with - without, without, 100 * (with / without - 1));
+  }
+}
+
+/// What the measured ratios are compared with.
+class Check {
+ public:
+  explicit Check(const std::filesystem::path& given)
+      : file_(given.empty() ? choose_ratios(committed_ratio_files(), processor_name()) : given) {
+    if (file_.empty()) return;
+    ratios_ = read_ratios(file_);
+    const std::string here = processor_name(), there = ratios_.empty() ? here : ratios_.front().processor;
+    if (here != there) loss_ = allowed_loss_elsewhere;
+    std::printf("compared with %s; a loss of more than %.0f %% fails\n", file_.c_str(), 100 * loss_);
+    if (here != there)
+      std::printf("those ratios are of another processor (%s, here %s), hence the wide tolerance\n", there.c_str(),
+                  here.c_str());
+  }
+
+  /// Measures a benchmark, again if it seems to have lost speed; keeps the last measurement.
+  SpeedMeasurement judge(const Candidate& candidate, int threads) {
+    SpeedMeasurement m = candidate.measure();
+    const CommittedRatio* committed = find_ratio(ratios_, {candidate.labels.name, "", m.particles, threads, 0});
+    if (!committed) {
+      std::printf("%s: no committed ratio of %zu particles on %d threads: not judged\n", candidate.labels.name.c_str(),
+                  m.particles, threads);
+      return m;
+    }
+    ++judged_;
+    bool first = true;
+    const RatioVerdict verdict = judge_ratio(committed->ratio, loss_, [&] {
+      if (!first) m = candidate.measure();
+      first = false;
+      return m.ratio();
+    });
+    if (verdict.tries > 1 || verdict.lost)
+      std::printf("%s: ratio %.3f, committed %.3f, %d tries: %s\n", candidate.labels.name.c_str(), verdict.best,
+                  committed->ratio, verdict.tries, verdict.lost ? "LOST SPEED" : "good");
+    lost_ += verdict.lost;
+    return m;
+  }
+
+  int exit_code() const {
+    if (judged_ == 0) {
+      std::printf("nothing was compared: %s\n",
+                  file_.empty() ? "there is no perf/results/*/ratios.csv" : "no committed ratio fits");
+      return 2;
+    }
+    std::printf("%d of %d benchmarks kept their speed\n", judged_ - lost_, judged_);
+    return lost_ ? 1 : 0;
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::vector<CommittedRatio> ratios_;
+  double loss_ = allowed_loss;
+  int judged_ = 0, lost_ = 0;
+};
 
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
   std::filesystem::create_directories(options.directory);
-  const MachineRoofs roofs = measure_roofs(options.threads);
+  ReferenceKernels reference(options.threads);
+  const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()});
   std::printf("roofs on %d threads: %.1f Gflop/s, %.1f Gbyte/s\n", options.threads, roofs.gflops, roofs.gbytes_s);
-  std::printf("%-20s %9s %8s %8s %8s %8s  %s\n", "name", "particles", "mpps", "min", "max", "ns", "slowest stage");
-  std::vector<BenchRow> rows;
-  for (const Benchmark& bench : benchmarks) {
-    if (std::string(bench.name).find(options.only) == std::string::npos) continue;
-    rows.push_back(bench.dimension == 2 ? time_benchmark<2>(bench, options, roofs)
-                                        : time_benchmark<3>(bench, options, roofs));
-    const BenchRow& r = rows.back();
-    std::printf("%-20s %9zu %8.2f %8.2f %8.2f %8.2f  %s\n", r.name.c_str(), r.particles, r.mpps, r.mpps_min, r.mpps_max,
-                r.ns_per_particle_step, r.slowest_stage.c_str());
-    std::fflush(stdout);
+  const std::vector<Candidate> table = candidates(options, reference);
+  if (table.empty()) {
+    std::printf("no benchmark is called '%s'\n", options.only.c_str());
+    return 2;
   }
-  write_csv(options.directory / "bench.csv", rows, roofs);
-  return 0;
+  std::optional<Check> check;
+  if (options.check) check.emplace(*options.check);
+  print_head();
+  std::vector<Row> rows;
+  for (const Candidate& candidate : table) {
+    rows.push_back({candidate.labels, check ? check->judge(candidate, options.threads) : candidate.measure()});
+    print_row(rows.back());
+  }
+  print_cost_of_cell_pressure(rows);
+  write_csv(options.directory / "bench.csv", rows, options.threads);
+  return check ? check->exit_code() : 0;
 }
 
 }  // namespace geodrop

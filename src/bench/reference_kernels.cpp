@@ -1,6 +1,4 @@
-// Two kernels that do nothing useful as fast as the machine can: the roofs that all benchmarks are compared with.
-#include <geodrop/bench.hpp>
-#include <geodrop/types.hpp>
+#include "reference_kernels.hpp"
 
 #include "../kernels/chunk.hpp"
 
@@ -17,8 +15,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// Twelve independent chains of fused multiply-adds hide the latency of one.
+constexpr int chains = 12;
+
 GEODROP_KERNEL double multiply_add(long rounds) {
-  constexpr int chains = 12;
   Vec4 x[chains];
   const Vec4 a = {0.999, 0.998, 0.997, 0.996}, b = {1e-3, 2e-3, 3e-3, 4e-3};
   for (int c = 0; c < chains; ++c) x[c] = a + static_cast<double>(c);
@@ -29,37 +28,41 @@ GEODROP_KERNEL double multiply_add(long rounds) {
   return sum[0] + sum[1] + sum[2] + sum[3];
 }
 
-double measure_gflops(int threads) {
-  constexpr long rounds = 4'000'000;
-  constexpr double flops_per_round = 12 * 4 * 2;
-  double sink = 0;
-  const auto start = std::chrono::steady_clock::now();
-#pragma omp parallel for num_threads(threads) reduction(+ : sink)
-  for (int t = 0; t < threads; ++t) sink += multiply_add(rounds + (t & 1));
-  const double seconds = seconds_since(start);
-  return sink == 0 ? 0 : flops_per_round * rounds * threads / seconds * 1e-9;
+/// The kernels' own instruction set, as the other one.
+GEODROP_KERNEL void triad(double* a, const double* b, const double* c, std::ptrdiff_t n) {
+  for (std::ptrdiff_t k = 0; k < n; ++k) a[k] = b[k] + 0.5 * c[k];
 }
 
-double measure_gbytes(int threads) {
-  constexpr std::ptrdiff_t n = 1 << 24;
-  Array<double> a(n), b(n, 1.0), c(n, 2.0);
-  double best = 1e300;
-  for (int repeat = 0; repeat < 4; ++repeat) {
-    const auto start = std::chrono::steady_clock::now();
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::ptrdiff_t k = 0; k < n; ++k) a[k] = b[k] + 0.5 * c[k];
-    best = std::min(best, seconds_since(start));
-  }
-  return 3.0 * sizeof(double) * n / best * 1e-9;
-}
+constexpr std::ptrdiff_t triad_size = 1 << 23;  // 64 MiB an array, twice the last cache of the machine at hand
 
 }  // namespace
 
-MachineRoofs measure_roofs(int threads) {
+ReferenceKernels::ReferenceKernels(int threads)
+    : threads_(threads), a_(triad_size, 0.0), b_(triad_size, 1.0), c_(triad_size, 2.0) {}
+
+MachineRoofs ReferenceKernels::sample() {
+  constexpr long rounds = 4'000'000;
+  constexpr double flops_per_round = chains * 4 * 2;
+  MachineRoofs roofs;
+  double sink = 0;
+  auto start = std::chrono::steady_clock::now();
+#pragma omp parallel for num_threads(threads_) reduction(+ : sink)
+  for (int t = 0; t < threads_; ++t) sink += multiply_add(rounds + (t & 1));
+  if (sink != 0) roofs.gflops = flops_per_round * rounds * threads_ / seconds_since(start) * 1e-9;
+
+  const std::ptrdiff_t share = triad_size / threads_;
+  start = std::chrono::steady_clock::now();
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (int t = 0; t < threads_; ++t) triad(a_.data() + t * share, b_.data() + t * share, c_.data() + t * share, share);
+  roofs.gbytes_s = 3.0 * sizeof(double) * share * threads_ / seconds_since(start) * 1e-9;
+  return roofs;
+}
+
+MachineRoofs best_of(const std::vector<MachineRoofs>& samples) {
   MachineRoofs best;
-  for (int repeat = 0; repeat < 3; ++repeat) {
-    best.gflops = std::max(best.gflops, measure_gflops(threads));
-    best.gbytes_s = std::max(best.gbytes_s, measure_gbytes(threads));
+  for (const MachineRoofs& roofs : samples) {
+    best.gflops = std::max(best.gflops, roofs.gflops);
+    best.gbytes_s = std::max(best.gbytes_s, roofs.gbytes_s);
   }
   return best;
 }

@@ -1,0 +1,167 @@
+#include "benchmarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodrop {
+namespace {
+
+// A new basis is one word here, and its costs in work_counts.cpp.
+constexpr Basis shipped_bases[] = {Basis::bspline2};
+constexpr BenchMaterial shipped_materials[] = {BenchMaterial::water, BenchMaterial::viscous, BenchMaterial::elastic,
+                                               BenchMaterial::soil, BenchMaterial::undrained};
+
+/// What a step may do besides the plain one: which materials it is measured with.
+struct Variant {
+  const char* suffix;
+  Transfer transfer;
+  PressureSupport pressure;
+  std::vector<BenchMaterial> materials;
+};
+const Variant variants[] = {
+    {"_cell", Transfer::apic, PressureSupport::cell, {BenchMaterial::water, BenchMaterial::soil}},
+    {"_blend", Transfer::blend, PressureSupport::particle, {BenchMaterial::water}},
+};
+
+const char* short_name(BenchMaterial material) {
+  switch (material) {
+    case BenchMaterial::water:
+      return "water";
+    case BenchMaterial::viscous:
+      return "viscous";
+    case BenchMaterial::elastic:
+      return "elastic";
+    case BenchMaterial::soil:
+      return "soil";
+    case BenchMaterial::undrained:
+      return "undrained";
+  }
+  return "";
+}
+
+MaterialSpec material_spec(BenchMaterial material) {
+  MaterialSpec spec;
+  spec.name = short_name(material);
+  if (material == BenchMaterial::water)
+    spec.model = NewtonianSpec{1000, 3.6e6, 0};
+  else if (material == BenchMaterial::viscous)
+    spec.model = NewtonianSpec{1000, 3.6e6, 8.9e-4};
+  else if (material == BenchMaterial::elastic)
+    spec.model = LinearElasticSpec{2000, 10e6, 0.33};
+  else if (material == BenchMaterial::soil)
+    spec.model = MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, std::nullopt};
+  else
+    spec.model = MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, UndrainedSpec{0.4, 80e6}};
+  return spec;
+}
+
+/// Puts soil on its yield surface: sheared as far as the mean stress allows, in the sense of the motion.
+template <int Dim>
+void stress_to_yield(double direction, Body<Dim>& body) {
+  const auto* soil = std::get_if<MohrCoulomb>(&body.material);
+  if (!soil) return;
+  constexpr double confinement = 10e3;  // [Pa]; its release at the free faces moves them by less than 1 % of the motion
+  for (int c = 0; c < stress_components<Dim>; ++c) {
+    const double shear = c == 3 ? direction * confinement * soil->sin_phi : 0.0;
+    std::fill(body.stress[c].begin(), body.stress[c].end(), c < 3 ? -confinement : shear);
+  }
+  std::fill(body.pore_pressure.begin(), body.pore_pressure.end(), 0.0);
+}
+
+}  // namespace
+
+std::string name_of(Basis basis) {
+  switch (basis) {
+    case Basis::bspline2:
+      return "bspline2";
+  }
+  return "";
+}
+
+std::string name_of(BenchMaterial material) {
+  switch (material) {
+    case BenchMaterial::water:
+      return "newtonian";
+    case BenchMaterial::viscous:
+      return "newtonian_viscous";
+    case BenchMaterial::elastic:
+      return "linear_elastic";
+    case BenchMaterial::soil:
+      return "mohr_coulomb";
+    case BenchMaterial::undrained:
+      return "mohr_coulomb_undrained";
+  }
+  return "";
+}
+
+std::string name_of(Transfer transfer) { return transfer == Transfer::apic ? "apic" : "blend"; }
+std::string name_of(PressureSupport pressure) { return pressure == PressureSupport::cell ? "cell" : "particle"; }
+
+std::vector<Benchmark> all_benchmarks() {
+  std::vector<Benchmark> all;
+  for (const int dimension : {2, 3})
+    for (const Basis basis : shipped_bases) {
+      const auto add = [&](BenchMaterial material, const Variant& variant) {
+        const std::string name = std::string(short_name(material)) + "_" + std::to_string(dimension) + "d_" +
+                                 name_of(basis) + variant.suffix;
+        all.push_back({name, dimension, basis, material, variant.transfer, variant.pressure});
+      };
+      for (const BenchMaterial material : shipped_materials)
+        add(material, {"", Transfer::apic, PressureSupport::particle, {}});
+      for (const Variant& variant : variants)
+        for (const BenchMaterial material : variant.materials) add(material, variant);
+    }
+  return all;
+}
+
+Scene block_scene(const Benchmark& bench, const BlockSize& size) {
+  constexpr int margin = 8;  // cells
+  constexpr int per_cell_axis = 2;
+  const int d = bench.dimension;
+  const int cells = static_cast<int>(std::lround(std::pow(size.particles, 1.0 / d) / per_cell_axis));
+  const int box = static_cast<int>(std::lround((cells + 2 * margin) * size.domain_factor));
+  const double low = (box - cells) / 2;  // whole: blocks of different boxes lie alike in their cells
+  Scene scene;
+  scene.dimension = d;
+  scene.grid = {Point(d, 0.0), Point(d, box), 1, bench.basis};
+  scene.walls.lower.assign(d, WallKind::slip);
+  scene.walls.upper = scene.walls.lower;
+  scene.gravity.assign(d, 0.0);
+  scene.solver.transfer = bench.transfer;
+  scene.solver.blend_rate = bench.transfer == Transfer::blend ? 10 : 0;
+  scene.time.end = 1e3;
+  scene.materials.push_back(material_spec(bench.material));
+  BodySpec body;
+  body.name = "block";
+  body.material = scene.materials[0].name;
+  body.shape = BoxShape{Point(d, low), Point(d, low + cells)};
+  body.particles_per_cell_axis = per_cell_axis;
+  // A lattice that moves as a whole stays sorted, and sorting it would be free.
+  body.jitter = 0.4;
+  body.pressure = bench.pressure;
+  body.initial_velocity = UniformVelocitySpec{Point(d, 0.0)};  // set_in_motion knows better
+  scene.bodies.push_back(body);
+  return scene;
+}
+
+template <int Dim>
+void set_in_motion(const Scene& scene, double direction, State<Dim>& state) {
+  constexpr double drift_share = 0.15, shear_share = 0.03;
+  Body<Dim>& body = state.bodies[0];
+  const double c = wave_speed(body.material);
+  const double middle = 0.5 * (scene.grid.lower[1] + scene.grid.upper[1]);
+  const auto& box = std::get<BoxShape>(scene.bodies[0].shape);
+  const double rate = direction * 2 * shear_share * c / (box.upper[1] - box.lower[1]);
+  for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
+  std::fill(body.affine[1].begin(), body.affine[1].end(), rate);
+  for (int a = 0; a < Dim; ++a) std::fill(body.v[a].begin(), body.v[a].end(), direction * drift_share * c);
+  for (std::size_t p = 0; p < body.size(); ++p) body.v[0][p] += rate * (body.x[1][p] - middle);
+  state.v_max =
+      c * std::sqrt((drift_share + shear_share) * (drift_share + shear_share) + (Dim - 1) * drift_share * drift_share);
+  stress_to_yield(direction, body);
+}
+
+template void set_in_motion<2>(const Scene&, double, State<2>&);
+template void set_in_motion<3>(const Scene&, double, State<3>&);
+
+}  // namespace geodrop

@@ -1,0 +1,49 @@
+// The table of benchmarks, and the scene of each: a block of one material that shears while it moves through a box.
+#pragma once
+
+#include <geodrop/pipeline.hpp>
+#include <geodrop/scene.hpp>
+
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// A material as benchmarks name it.
+enum class BenchMaterial { water, viscous, elastic, soil, undrained };
+
+struct Benchmark {
+  std::string name;
+  int dimension = 2;
+  Basis basis = Basis::bspline2;
+  BenchMaterial material = BenchMaterial::water;
+  Transfer transfer = Transfer::apic;
+  PressureSupport pressure = PressureSupport::particle;
+};
+
+/// Every (dimension, basis, material) that ships, and the options that change the cost of a step.
+std::vector<Benchmark> all_benchmarks();
+
+/// The main case is a scene file, not a block.
+inline constexpr const char* main_case_name = "main_case";
+
+/// As scene files name them.
+std::string name_of(Basis basis);
+std::string name_of(BenchMaterial material);
+std::string name_of(Transfer transfer);
+std::string name_of(PressureSupport pressure);
+
+/// Size of a benchmark's block and of the box around it.
+struct BlockSize {
+  double particles = 1e6;    ///< about; 4 a cell in 2D, 8 in 3D
+  double domain_factor = 1;  ///< box per axis over the smallest one, which leaves 8 cells around the block
+};
+Scene block_scene(const Benchmark& bench, const BlockSize& size);
+
+/// Sets the block moving: 0.15 c along every axis, so that it crosses a cell in about 16 steps, and a shear of
+/// +-0.03 c across its height. `direction` +1 or -1 turns both round, so that the block stays where it is on average.
+/// Soil is put on its yield surface under 10 kPa, and goes on yielding.
+template <int Dim>
+void set_in_motion(const Scene& scene, double direction, State<Dim>& state);
+
+}  // namespace geodrop

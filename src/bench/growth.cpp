@@ -1,0 +1,94 @@
+// How the cost of a particle-step grows with the number of particles, and with the domain around the same particles.
+#include <geodrop/bench.hpp>
+
+#include "machine.hpp"
+#include "measure_speed.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace geodrop {
+namespace {
+
+constexpr double particle_counts[] = {1e4, 1e5, 1e6, 1e7};
+constexpr double domain_factors[] = {1, 3, 8};
+constexpr double particles_in_domain = 1e5;
+
+bool grows(const Benchmark& bench) {
+  const bool material = bench.material == BenchMaterial::water || bench.material == BenchMaterial::soil;
+  return material && bench.transfer == Transfer::apic;
+}
+
+/// Of particles, of what building them takes for a while, and of the grid [byte]; generous.
+double memory_needed(const Benchmark& bench, const BlockSize& size) {
+  constexpr double particle = 500, node = 100, margins = 16;
+  const double cells = std::pow(size.particles, 1.0 / bench.dimension) / 2 + margins;
+  return particle * size.particles + node * std::pow(cells * size.domain_factor, bench.dimension);
+}
+
+class GrowthTable {
+ public:
+  explicit GrowthTable(const std::filesystem::path& file) : file_(file), out_(file) {
+    out_ << "kind,name,dimension,basis,material,pressure,threads,domain_factor,particles,nodes,active_blocks,mpps,"
+            "ns_per_particle_step,ns_best,ratio,processor\n";
+    std::printf("%-10s %-24s %7s %7s %9s %10s %8s %8s %6s\n", "kind", "name", "threads", "domain", "particles", "nodes",
+                "ns", "best", "ratio");
+  }
+
+  void add(const char* kind, const Benchmark& bench, double factor, int threads, const SpeedMeasurement& m) {
+    out_ << kind << ',' << bench.name << ',' << bench.dimension << ',' << name_of(bench.basis) << ','
+         << name_of(bench.material) << ',' << name_of(bench.pressure) << ',' << threads << ',' << factor << ','
+         << m.particles << ',' << m.nodes << ',' << m.active_blocks << ',' << m.mpps() << ',' << m.median().ns << ','
+         << m.samples.front().ns << ',' << m.ratio() << ',' << processor_name() << '\n';
+    if (!out_.flush()) throw std::runtime_error("cannot write " + file_.string());
+    std::printf("%-10s %-24s %7d %7g %9zu %10zu %8.2f %8.2f %6.3f\n", kind, bench.name.c_str(), threads, factor,
+                m.particles, m.nodes, m.median().ns, m.samples.front().ns, m.ratio());
+    std::fflush(stdout);
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream out_;
+};
+
+/// Measures one size, unless it does not fit into memory.
+void measure_size(GrowthTable& table, const char* kind, const Benchmark& bench, const BlockSize& size,
+                  ReferenceKernels& reference, int threads) {
+  if (memory_needed(bench, size) > available_memory()) {
+    std::printf("%s %s: %g particles in a domain %g times larger are left out: %.1f GB needed, %.1f available\n", kind,
+                bench.name.c_str(), size.particles, size.domain_factor, 1e-9 * memory_needed(bench, size),
+                1e-9 * available_memory());
+    return;
+  }
+  const Effort effort = size.particles > 2e6 ? Effort{3, 1} : size.particles > 2e5 ? Effort{5, 1} : Effort{9, 2};
+  table.add(kind, bench, size.domain_factor, threads, measure_block(bench, size, effort, reference));
+}
+
+}  // namespace
+
+int run_growth(const BenchOptions& options) {
+  std::filesystem::create_directories(options.directory);
+  GrowthTable table(options.directory / "growth.csv");
+  const double most = options.particles > 0 ? options.particles : options.quick ? 1e6 : 1e7;
+  std::vector<int> thread_counts{1};
+  if (options.threads > 1) thread_counts.push_back(options.threads);
+  for (const int threads : thread_counts) {
+    omp_set_num_threads(threads);
+    ReferenceKernels reference(threads);
+    for (const Benchmark& bench : all_benchmarks()) {
+      if (!grows(bench) || bench.name.find(options.only) == std::string::npos) continue;
+      for (const double particles : particle_counts)
+        if (particles <= most) measure_size(table, "particles", bench, {particles, 1}, reference, threads);
+      for (const double factor : domain_factors)
+        measure_size(table, "domain", bench, {particles_in_domain, factor}, reference, threads);
+    }
+  }
+  return 0;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,54 @@
+#include "machine.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace geodrop {
+namespace {
+
+/// Text after the colon of the first line of a file of /proc that starts with `key`.
+std::string proc_entry(const std::string& file, const std::string& key) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);)
+    if (const std::size_t colon = line.find(':'); line.starts_with(key) && colon != std::string::npos) {
+      const std::size_t text = line.find_first_not_of(" \t", colon + 1);
+      return text == std::string::npos ? "" : line.substr(text);
+    }
+  return "";
+}
+
+}  // namespace
+
+std::string processor_name() {
+  std::string name = proc_entry("/proc/cpuinfo", "model name");
+  std::replace(name.begin(), name.end(), ',', ' ');
+  return name.empty() ? "unknown" : name;
+}
+
+double available_memory() {
+  constexpr double kibibyte = 1024;
+  const std::string text = proc_entry("/proc/meminfo", "MemAvailable");
+  return text.empty() ? 0 : std::stod(text) * kibibyte;
+}
+
+std::filesystem::path find_in_tree(const std::filesystem::path& relative) {
+  std::error_code none;
+  for (std::filesystem::path start :
+       {std::filesystem::current_path(none), std::filesystem::read_symlink("/proc/self/exe", none).parent_path()})
+    for (;; start = start.parent_path()) {
+      if (std::filesystem::exists(start / relative, none)) return start / relative;
+      if (start == start.parent_path()) break;
+    }
+  return {};
+}
+
+std::vector<std::filesystem::path> committed_ratio_files() {
+  std::vector<std::filesystem::path> files;
+  const std::filesystem::path results = find_in_tree("perf/results");
+  if (results.empty()) return files;
+  for (const auto& machine : std::filesystem::directory_iterator(results))
+    if (std::filesystem::exists(machine.path() / "ratios.csv")) files.push_back(machine.path() / "ratios.csv");
+  return files;
+}
+
+}  // namespace geodrop

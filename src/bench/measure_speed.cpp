@@ -1,0 +1,152 @@
+#include "measure_speed.hpp"
+
+#include "../grid/sort_particles.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace geodrop {
+namespace {
+
+template <int Dim>
+struct Subject {
+  explicit Subject(Scene s)
+      : scene(std::move(s)),
+        state(build_state<Dim>(scene)),
+        grid(make_grid<Dim>(scene)),
+        pipeline(build_pipeline<Dim>(scene)) {}
+
+  Scene scene;
+  State<Dim> state;
+  Grid<Dim> grid;
+  Pipeline<Dim> pipeline;
+};
+
+template <int Dim>
+std::size_t particle_count(const State<Dim>& state) {
+  std::size_t n = 0;
+  for (const Body<Dim>& body : state.bodies) n += body.size();
+  return n;
+}
+
+template <class T>
+double bytes_in(const Array<T>& values) {
+  return static_cast<double>(values.size() * sizeof(T));
+}
+
+template <int Dim>
+double particle_bytes(const Body<Dim>& body) {
+  double bytes = bytes_in(body.mass) + bytes_in(body.J) + bytes_in(body.pore_pressure) +
+                 bytes_in(body.deviatoric_strain) + bytes_in(body.id) + bytes_in(body.layer);
+  for (const auto& values : body.x) bytes += bytes_in(values);
+  for (const auto& values : body.v) bytes += bytes_in(values);
+  for (const auto& values : body.affine) bytes += bytes_in(values);
+  for (const auto& values : body.stress) bytes += bytes_in(values);
+  for (const auto& values : body.initial_x) bytes += bytes_in(values);
+  return bytes;
+}
+
+BenchMaterial kind_of(const Material& material) {
+  if (const auto* water = std::get_if<Newtonian>(&material))
+    return water->viscosity > 0 ? BenchMaterial::viscous : BenchMaterial::water;
+  if (const auto* soil = std::get_if<MohrCoulomb>(&material))
+    return soil->pore_stiffness > 0 ? BenchMaterial::undrained : BenchMaterial::soil;
+  return BenchMaterial::elastic;
+}
+
+template <int Dim>
+SpeedMeasurement describe(const Subject<Dim>& subject) {
+  SpeedMeasurement m;
+  m.particles = particle_count(subject.state);
+  m.nodes = subject.grid.layout.nodes();
+  m.active_blocks = subject.state.active_blocks.size();
+  const double all = static_cast<double>(m.particles);
+  for (const Body<Dim>& body : subject.state.bodies) {
+    m.bytes_per_particle += particle_bytes(body) / all;
+    m.work += work_of({Dim, subject.scene.grid.basis, kind_of(body.material),
+                       subject.scene.solver.transfer == Transfer::blend, body.pressure == PressureSupport::cell}) *
+              (static_cast<double>(body.size()) / all);
+  }
+  return m;
+}
+
+/// Steps through a number of sort cycles; the first step sorts.
+template <int Dim>
+int step_cycles(Subject<Dim>& subject, int cycles) {
+  const double due = allowed_drift_cells * subject.grid.layout.h;
+  int steps = 0;
+  for (int cycle = 0; cycle < cycles; ++cycle) do {
+      advance(subject.scene, subject.pipeline, subject.state, subject.grid);
+      ++steps;
+    } while (subject.state.drift < due);
+  return steps;
+}
+
+/// `run` returns the number of steps that it made.
+template <int Dim, class Run>
+SpeedSample time_steps(Subject<Dim>& subject, Run&& run) {
+  for (Stage<Dim>& stage : subject.pipeline) stage.seconds = 0;
+  const auto start = std::chrono::steady_clock::now();
+  const int steps = run();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double to_ns = 1e9 / (static_cast<double>(particle_count(subject.state)) * steps);
+  SpeedSample sample{seconds * to_ns, {}};
+  for (const Stage<Dim>& stage : subject.pipeline) sample.stages.push_back({stage.name, stage.seconds * to_ns});
+  return sample;
+}
+
+/// `sample` times one stretch; it comes between two samples of the reference kernels.
+template <int Dim, class Sample>
+SpeedMeasurement take_samples(Subject<Dim>& subject, int count, ReferenceKernels& reference, Sample&& sample) {
+  std::vector<MachineRoofs> roofs{reference.sample()};
+  std::vector<SpeedSample> samples;
+  for (int k = 0; k < count; ++k) {
+    samples.push_back(sample(k));
+    roofs.push_back(reference.sample());
+  }
+  SpeedMeasurement m = describe(subject);
+  std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.ns < b.ns; });
+  m.samples = std::move(samples);
+  m.roofs = best_of(roofs);
+  return m;
+}
+
+template <int Dim>
+SpeedMeasurement measure_block_in(const Benchmark& bench, const BlockSize& size, const Effort& effort,
+                                  ReferenceKernels& reference) {
+  Subject<Dim> subject(block_scene(bench, size));
+  set_in_motion<Dim>(subject.scene, 1, subject.state);
+  step_cycles(subject, 1);
+  return take_samples(subject, effort.samples, reference, [&](int k) {
+    set_in_motion<Dim>(subject.scene, k % 2 ? 1 : -1, subject.state);
+    return time_steps(subject, [&] { return step_cycles(subject, effort.cycles); });
+  });
+}
+
+template <int Dim>
+SpeedMeasurement measure_case_in(const Scene& scene, const Effort& effort, ReferenceKernels& reference) {
+  constexpr int warm_up = 600, stretch = 100;
+  Subject<Dim> subject(scene);
+  const auto run = [&](int steps) {
+    for (int s = 0; s < steps; ++s) advance(subject.scene, subject.pipeline, subject.state, subject.grid);
+    return steps;
+  };
+  run(warm_up);
+  return take_samples(subject, effort.samples, reference,
+                      [&](int) { return time_steps(subject, [&] { return run(stretch * effort.cycles); }); });
+}
+
+}  // namespace
+
+SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Effort& effort,
+                               ReferenceKernels& reference) {
+  return bench.dimension == 2 ? measure_block_in<2>(bench, size, effort, reference)
+                              : measure_block_in<3>(bench, size, effort, reference);
+}
+
+SpeedMeasurement measure_main_case(const Scene& scene, const Effort& effort, ReferenceKernels& reference) {
+  return scene.dimension == 2 ? measure_case_in<2>(scene, effort, reference)
+                              : measure_case_in<3>(scene, effort, reference);
+}
+
+}  // namespace geodrop

@@ -1,0 +1,46 @@
+// Times whole steps of a benchmark, sort and grid included, in turn with the reference kernels.
+#pragma once
+
+#include "benchmarks.hpp"
+#include "reference_kernels.hpp"
+#include "work_counts.hpp"
+
+#include <filesystem>
+
+namespace geodrop {
+
+/// One timed stretch of steps; all times in ns per particle-step, wall time of all threads together.
+struct SpeedSample {
+  double ns = 0;
+  std::vector<StageTime> stages;  ///< `seconds` holds ns per particle-step here, too
+};
+
+struct SpeedMeasurement {
+  std::size_t particles = 0, nodes = 0, active_blocks = 0;
+  double bytes_per_particle = 0;     ///< resident particle data [byte]
+  WorkCount work;                    ///< of a particle-step
+  MachineRoofs roofs;                ///< best of the samples taken in turn
+  std::vector<SpeedSample> samples;  ///< fastest first
+
+  const SpeedSample& median() const { return samples[samples.size() / 2]; }
+  double mpps() const { return 1e3 / median().ns; }
+  double arithmetic_fraction() const { return work.flops / roofs.gflops / median().ns; }
+  double memory_fraction() const { return work.bytes / roofs.gbytes_s / median().ns; }
+  /// Time that the reference kernels need for the same work, arithmetic and memory one after the other, over the time
+  /// taken. From the best of each, because disturbances only ever slow down.
+  double ratio() const { return (work.flops / roofs.gflops + work.bytes / roofs.gbytes_s) / samples.front().ns; }
+};
+
+/// How long to measure. A stretch is a whole number of sort cycles, so that each holds its share of sorting.
+struct Effort {
+  int samples = 5;
+  int cycles = 1;  ///< from one sort to the next, about 16 steps
+};
+
+SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Effort& effort,
+                               ReferenceKernels& reference);
+
+/// The scene of the main case, in stretches of 100 steps after its first 600, in which the container starts to fall.
+SpeedMeasurement measure_main_case(const Scene& scene, const Effort& effort, ReferenceKernels& reference);
+
+}  // namespace geodrop
