@@ -19,48 +19,72 @@ Vec4 mirror(WallKind wall, int axis, Vec4 record) {
   return record;
 }
 
-/// Calls f(flat index of the wall node, step into the domain, wall) for all nodes of both walls normal to `axis`,
-/// ghosts of the other axes included.
+/// Calls f(flat index) for the nodes of active blocks that have `coordinate` along `axis`; ghosts of the other axes
+/// included. Each call may touch the nodes of its own line along `axis`: lines are shared out among the threads.
 template <int Dim, class F>
-void for_each_wall_node(const GridLayout<Dim>& layout, int axis, F&& f) {
-  constexpr int pad = GridLayout<Dim>::pad;
-  const int others = layout.nodes() / layout.stored[axis];
-  for (int k = 0; k < others; ++k) {
-    const int below = k % layout.stride[axis], above = k / layout.stride[axis];
-    const int line = below + above * layout.stride[axis] * layout.stored[axis];
-    f(line + pad * layout.stride[axis], layout.stride[axis], layout.lower_wall[axis]);
-    f(line + (pad + layout.cells[axis]) * layout.stride[axis], -layout.stride[axis], layout.upper_wall[axis]);
+void for_each_active_node_of_layer(const State<Dim>& state, const GridLayout<Dim>& layout, int axis, int coordinate,
+                                   F&& f) {
+  const int layer_block = coordinate / GridLayout<Dim>::block_width[axis];
+  int blocks_per_layer = 1;
+  for (int a = 0; a < axis; ++a) blocks_per_layer *= layout.blocks[a];
+  const auto n = static_cast<std::ptrdiff_t>(state.active_blocks.size());
+#pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
+  for (std::ptrdiff_t b = 0; b < n; ++b) {
+    const std::uint32_t block = state.active_blocks[b];
+    if (static_cast<int>(block) / blocks_per_layer % layout.blocks[axis] != layer_block) continue;
+    for_each_row_of_block(layout, block, [&](int begin, int count, const std::array<int, Dim>& node) {
+      if (axis == 0)
+        f(begin + coordinate - node[0]);
+      else if (node[axis] == coordinate)
+        for (int k = 0; k < count; ++k) f(begin + k);
+    });
   }
 }
 
+/// Calls f(coordinate, step into the domain, wall) for both walls normal to `axis`.
+template <int Dim, class F>
+void for_both_walls(const GridLayout<Dim>& layout, int axis, F&& f) {
+  constexpr int pad = GridLayout<Dim>::pad;
+  f(pad, 1, layout.lower_wall[axis]);
+  f(pad + layout.cells[axis], -1, layout.upper_wall[axis]);
+}
+
 template <int Dim>
-void fold_field(const GridLayout<Dim>& layout, Array<Vec4>& field) {
+void fold_field(const State<Dim>& state, const GridLayout<Dim>& layout, Array<Vec4>& field) {
   if (field.empty()) return;
   for (int axis = 0; axis < Dim; ++axis) {
     if (layout.periodic(axis)) {
       sum_over_seam(layout, axis, field);
       continue;
     }
-    for_each_wall_node(layout, axis, [&](int node, int inward, WallKind wall) {
-      field[node + inward] += mirror<Dim>(wall, axis, field[node - inward]);
-      field[node - inward] = Vec4{};
+    for_both_walls(layout, axis, [&](int at, int inward, WallKind wall) {
+      const int to_image = 2 * inward * layout.stride[axis];
+      for_each_active_node_of_layer(state, layout, axis, at - inward, [&](int ghost) {
+        field[ghost + to_image] += mirror<Dim>(wall, axis, field[ghost]);
+        field[ghost] = Vec4{};
+      });
     });
   }
 }
 
 /// Velocity of walls and of their ghost nodes.
 template <int Dim>
-void impose_walls(const GridLayout<Dim>& layout, Array<Vec4>& field) {
+void impose_walls(const State<Dim>& state, const GridLayout<Dim>& layout, Array<Vec4>& field) {
   if (field.empty()) return;
   for (int axis = 0; axis < Dim; ++axis) {
     if (layout.periodic(axis)) {
       copy_over_seam(layout, axis, field);
       continue;
     }
-    for_each_wall_node(layout, axis, [&](int node, int inward, WallKind wall) {
-      for (int c = 0; c < Dim; ++c)
-        if (mirror_sign(wall, axis, c) < 0) field[node][c] = 0;
-      field[node - inward] = mirror<Dim>(wall, axis, field[node + inward]);
+    for_both_walls(layout, axis, [&](int at, int inward, WallKind wall) {
+      for_each_active_node_of_layer(state, layout, axis, at, [&](int node) {
+        for (int c = 0; c < Dim; ++c)
+          if (mirror_sign(wall, axis, c) < 0) field[node][c] = 0;
+      });
+      const int to_image = 2 * inward * layout.stride[axis];
+      for_each_active_node_of_layer(state, layout, axis, at - inward, [&](int ghost) {
+        field[ghost] = mirror<Dim>(wall, axis, field[ghost + to_image]);
+      });
     });
   }
 }
@@ -140,9 +164,9 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
 }  // namespace
 
 template <int Dim>
-void fold_walls(Grid<Dim>& grid) {
-  fold_field(grid.layout, grid.sum);
-  fold_field(grid.layout, grid.force);
+void fold_walls(const State<Dim>& state, Grid<Dim>& grid) {
+  fold_field(state, grid.layout, grid.sum);
+  fold_field(state, grid.layout, grid.force);
 }
 
 template <int Dim>
@@ -159,18 +183,18 @@ void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<
                                });
   for (const auto& block : left_over)
     for (const auto& [flat, impulse] : block) share_left_over(grid, flat, impulse);
-  impose_walls(grid.layout, grid.velocity);
-  impose_walls(grid.layout, grid.velocity_change);
+  impose_walls(state, grid.layout, grid.velocity);
+  impose_walls(state, grid.layout, grid.velocity_change);
 }
 
 template <int Dim>
-void impose_wall_velocity(Grid<Dim>& grid) {
-  impose_walls(grid.layout, grid.velocity);
+void impose_wall_velocity(const State<Dim>& state, Grid<Dim>& grid) {
+  impose_walls(state, grid.layout, grid.velocity);
 }
 
-#define GEODROP_INSTANTIATE(D)           \
-  template void impose_wall_velocity<D>(Grid<D>&); \
-  template void fold_walls<D>(Grid<D>&); \
+#define GEODROP_INSTANTIATE(D)                                      \
+  template void impose_wall_velocity<D>(const State<D>&, Grid<D>&); \
+  template void fold_walls<D>(const State<D>&, Grid<D>&);           \
   template void update_momentum<D>(const State<D>&, Grid<D>&, const std::array<double, D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

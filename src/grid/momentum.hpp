@@ -7,9 +7,10 @@
 namespace geodrop {
 
 /// Folds what particles scattered beyond the walls onto the mirror nodes: normal component with sign -1, tangential
-/// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums.
+/// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums. Of walls
+/// only the active blocks are visited.
 template <int Dim>
-void fold_walls(Grid<Dim>& grid);
+void fold_walls(const State<Dim>& state, Grid<Dim>& grid);
 
 /// v' = v + dt (f / m + g) with the cell pressure's force added; zero normal (no-slip: whole) velocity on walls; mirror
 /// images in the ghost layer. Nodes with less mass than Grid::light_mass take only the part m / light_mass of their
@@ -21,6 +22,6 @@ void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<
 
 /// Holds the nodal velocity at the walls, ghosts included.
 template <int Dim>
-void impose_wall_velocity(Grid<Dim>& grid);
+void impose_wall_velocity(const State<Dim>& state, Grid<Dim>& grid);
 
 }  // namespace geodrop

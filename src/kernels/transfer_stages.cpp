@@ -124,7 +124,7 @@ void remap_velocity(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid
       for (int a = 0; a < Dim; ++a) grid.velocity[node][a] = m > 0 ? grid.sum[node][a] / m : 0.0;
     }
   });
-  impose_wall_velocity(grid);
+  impose_wall_velocity(state, grid);
 }
 
 template <int Dim>

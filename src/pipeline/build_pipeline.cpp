@@ -49,7 +49,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
-  add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(s, g, gravity, c.dt); });
+  add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });
   add(simplex,       "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
   add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { average_nodal_rate(s, g); });

@@ -48,7 +48,9 @@ void check_wall(WallKind wall) {
     for (const int c : {1, 3}) std::fill(body.stress[c].begin(), body.stress[c].end(), 0.0);
   const Body<2> both = with_images(body, wall);
   scatter<2>(body, folded, 0.1, 0, body.size());
-  fold_walls(folded);
+  State<2> state;
+  activate_all_blocks(state, folded.layout);
+  fold_walls(state, folded);
   scatter<2>(both, mirrored, 0.1, 0, both.size());
   double worst_sum = 0, worst_force = 0;
   for (int i = 1; i <= 8; ++i)
@@ -74,7 +76,9 @@ TEST_CASE("Folding at all walls and corners keeps the mass, and leaves nothing b
   Random random;
   const Body<3> body = random_body<3>(2000, 0, 2.5, random);
   scatter<3>(body, grid, 0.1, 0, body.size());
-  fold_walls(grid);
+  State<3> state;
+  activate_all_blocks(state, grid.layout);
+  fold_walls(state, grid);
   double mass = 0, expected = 0, beyond = 0;
   for (const double m : body.mass) expected += m;
   for_each_node(grid.layout, 0, [&](int flat, const auto&) { mass += grid.sum[flat][3]; });
