@@ -20,14 +20,21 @@ std::ptrdiff_t particle_count(const State<Dim>& state) {
   return static_cast<std::ptrdiff_t>(n);
 }
 
-/// Slabs of one colour, ascending.
 template <int Dim>
-std::vector<int> slabs_of_colour(const GridLayout<Dim>& layout, int colour) {
+bool holds_particles(const State<Dim>& state, int slab) {
+  for (const Body<Dim>& body : state.bodies)
+    if (body.slab_begin[slab] < body.slab_begin[slab + 1]) return true;
+  return false;
+}
+
+/// Slabs of one colour that hold particles, ascending: the empty ones of a large domain are not shared out to threads.
+template <int Dim>
+std::vector<int> slabs_of_colour(const State<Dim>& state, const GridLayout<Dim>& layout, int colour) {
   std::vector<int> out;
-  for (int slab = 0; slab < layout.slab_count(); ++slab) {
-    const int y = slab % layout.slabs[1], z = slab / layout.slabs[1];
-    if ((y & 1) + 2 * (z & 1) == colour) out.push_back(slab);
-  }
+  const int z_slabs = Dim == 3 ? layout.slabs[Dim - 1] : 1;
+  for (int z = colour / 2; z < z_slabs; z += 2)
+    for (int y = colour % 2; y < layout.slabs[1]; y += 2)
+      if (const int slab = y + z * layout.slabs[1]; holds_particles(state, slab)) out.push_back(slab);
   return out;
 }
 
@@ -37,7 +44,7 @@ template <int Dim, class F>
 void for_each_slab_by_colour(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
   const bool threads = particle_count(state) >= particles_worth_threads;
   for (int colour = 0; colour < slab_colours<Dim>; ++colour) {
-    const std::vector<int> slabs = slabs_of_colour(layout, colour);
+    const std::vector<int> slabs = slabs_of_colour(state, layout, colour);
     const auto n = static_cast<std::ptrdiff_t>(slabs.size());
 #pragma omp parallel for schedule(dynamic, 1) if (threads)
     for (std::ptrdiff_t s = 0; s < n; ++s)
