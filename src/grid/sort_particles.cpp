@@ -103,6 +103,21 @@ void wrap_particles(Body<Dim>& body, const GridLayout<Dim>& layout) {
   }
 }
 
+/// Renumbers the keys so that empty slabs have none, in the same order: counting over all cells of a large, mostly
+/// empty domain would cost more than the rest of the step. Returns how many slabs are left; `rank` counts them up to
+/// each slab.
+std::uint32_t drop_empty_slabs(std::uint32_t cells_per_slab, Array<std::uint32_t>& keys, Array<std::uint32_t>& rank) {
+  const auto n = static_cast<std::ptrdiff_t>(keys.size());
+  for (const std::uint32_t key : keys) rank[key / cells_per_slab + 1] = 1;
+  std::partial_sum(rank.begin(), rank.end(), rank.begin());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    const std::uint32_t slab = keys[p] / cells_per_slab;
+    keys[p] -= (slab - rank[slab]) * cells_per_slab;
+  }
+  return rank.back();
+}
+
 template <int Dim>
 void sort_body(const State<Dim>& state, Body<Dim>& body, const GridLayout<Dim>& layout) {
   wrap_particles(body, layout);
@@ -111,11 +126,14 @@ void sort_body(const State<Dim>& state, Body<Dim>& body, const GridLayout<Dim>& 
   Array<std::uint32_t> keys;
   find_keys(state, body, layout, space, keys);
 
-  Array<std::uint32_t> begin(static_cast<std::size_t>(slabs) * space.cells_per_slab + 1, 0);
+  Array<std::uint32_t> rank(slabs + 1, 0);
+  const std::uint32_t full_slabs = drop_empty_slabs(space.cells_per_slab, keys, rank);
+
+  Array<std::uint32_t> begin(static_cast<std::size_t>(full_slabs) * space.cells_per_slab + 1, 0);
   for (const std::uint32_t key : keys) ++begin[key + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   body.slab_begin.resize(slabs + 1);
-  for (int s = 0; s <= slabs; ++s) body.slab_begin[s] = begin[static_cast<std::size_t>(s) * space.cells_per_slab];
+  for (int s = 0; s <= slabs; ++s) body.slab_begin[s] = begin[static_cast<std::size_t>(rank[s]) * space.cells_per_slab];
 
   if (std::is_sorted(keys.begin(), keys.end())) return;
   Array<std::uint32_t> order(body.size());
