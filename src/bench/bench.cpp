@@ -74,23 +74,9 @@ std::vector<Candidate> candidates(const BenchOptions& options, ReferenceKernels&
   return all;
 }
 
-/// Names of all stages, in the order in which they are first met.
-std::vector<std::string> stage_names(const std::vector<Row>& rows) {
-  std::vector<std::string> names;
-  for (const Row& row : rows)
-    for (const StageTime& stage : row.speed.median().stages)
-      if (std::find(names.begin(), names.end(), stage.name) == names.end()) names.push_back(stage.name);
-  return names;
-}
-
-double stage_ns(const SpeedSample& sample, const std::string& name) {
-  for (const StageTime& stage : sample.stages)
-    if (stage.name == name) return stage.seconds;
-  return 0;
-}
-
 void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, int threads) {
-  const std::vector<std::string> stages = stage_names(rows);
+  std::vector<std::string> stages;
+  for (const Row& row : rows) add_stage_names(row.speed, stages);
   const std::string processor = processor_name();
   std::ofstream out(file);
   out << "name,dimension,basis,material,transfer,pressure,particles,threads,mpps,mpps_min,mpps_max,"

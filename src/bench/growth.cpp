@@ -31,29 +31,53 @@ double memory_needed(const Benchmark& bench, const BlockSize& size) {
   return particle * size.particles + node * std::pow(cells * size.domain_factor, bench.dimension);
 }
 
+struct GrowthRow {
+  const char* kind;
+  Benchmark bench;
+  double factor;
+  int threads;
+  SpeedMeasurement speed;
+};
+
+/// Prints rows as they come; the file is rewritten with each, so that a long run may be stopped.
 class GrowthTable {
  public:
-  explicit GrowthTable(const std::filesystem::path& file) : file_(file), out_(file) {
-    out_ << "kind,name,dimension,basis,material,pressure,threads,domain_factor,particles,nodes,active_blocks,mpps,"
-            "ns_per_particle_step,ns_best,ratio,processor\n";
+  explicit GrowthTable(std::filesystem::path file) : file_(std::move(file)) {
     std::printf("%-10s %-24s %7s %7s %9s %10s %8s %8s %6s\n", "kind", "name", "threads", "domain", "particles", "nodes",
                 "ns", "best", "ratio");
   }
 
-  void add(const char* kind, const Benchmark& bench, double factor, int threads, const SpeedMeasurement& m) {
-    out_ << kind << ',' << bench.name << ',' << bench.dimension << ',' << name_of(bench.basis) << ','
-         << name_of(bench.material) << ',' << name_of(bench.pressure) << ',' << threads << ',' << factor << ','
-         << m.particles << ',' << m.nodes << ',' << m.active_blocks << ',' << m.mpps() << ',' << m.median().ns << ','
-         << m.samples.front().ns << ',' << m.ratio() << ',' << processor_name() << '\n';
-    if (!out_.flush()) throw std::runtime_error("cannot write " + file_.string());
-    std::printf("%-10s %-24s %7d %7g %9zu %10zu %8.2f %8.2f %6.3f\n", kind, bench.name.c_str(), threads, factor,
-                m.particles, m.nodes, m.median().ns, m.samples.front().ns, m.ratio());
+  void add(GrowthRow row) {
+    const SpeedMeasurement& m = row.speed;
+    std::printf("%-10s %-24s %7d %7g %9zu %10zu %8.2f %8.2f %6.3f\n", row.kind, row.bench.name.c_str(), row.threads,
+                row.factor, m.particles, m.nodes, m.median().ns, m.samples.front().ns, m.ratio());
     std::fflush(stdout);
+    add_stage_names(m, stages_);
+    rows_.push_back(std::move(row));
+    write();
   }
 
  private:
+  void write() const {
+    std::ofstream out(file_);
+    out << "kind,name,dimension,basis,material,pressure,threads,domain_factor,particles,nodes,active_blocks,mpps,"
+           "ns_per_particle_step,ns_best,ratio,processor";
+    for (const std::string& stage : stages_) out << ",ns_" << stage;
+    out << '\n';
+    for (const auto& [kind, bench, factor, threads, m] : rows_) {
+      out << kind << ',' << bench.name << ',' << bench.dimension << ',' << name_of(bench.basis) << ','
+          << name_of(bench.material) << ',' << name_of(bench.pressure) << ',' << threads << ',' << factor << ','
+          << m.particles << ',' << m.nodes << ',' << m.active_blocks << ',' << m.mpps() << ',' << m.median().ns << ','
+          << m.samples.front().ns << ',' << m.ratio() << ',' << processor_name();
+      for (const std::string& stage : stages_) out << ',' << stage_ns(m.median(), stage);
+      out << '\n';
+    }
+    if (!out.flush()) throw std::runtime_error("cannot write " + file_.string());
+  }
+
   std::filesystem::path file_;
-  std::ofstream out_;
+  std::vector<GrowthRow> rows_;
+  std::vector<std::string> stages_;
 };
 
 /// Measures one size, unless it does not fit into memory.
@@ -66,7 +90,7 @@ void measure_size(GrowthTable& table, const char* kind, const Benchmark& bench, 
     return;
   }
   const Effort effort = size.particles > 2e6 ? Effort{3, 1} : size.particles > 2e5 ? Effort{5, 1} : Effort{9, 2};
-  table.add(kind, bench, size.domain_factor, threads, measure_block(bench, size, effort, reference));
+  table.add({kind, bench, size.domain_factor, threads, measure_block(bench, size, effort, reference)});
 }
 
 }  // namespace

@@ -138,6 +138,17 @@ SpeedMeasurement measure_case_in(const Scene& scene, const Effort& effort, Refer
 
 }  // namespace
 
+void add_stage_names(const SpeedMeasurement& measurement, std::vector<std::string>& names) {
+  for (const StageTime& stage : measurement.median().stages)
+    if (std::find(names.begin(), names.end(), stage.name) == names.end()) names.push_back(stage.name);
+}
+
+double stage_ns(const SpeedSample& sample, const std::string& name) {
+  for (const StageTime& stage : sample.stages)
+    if (stage.name == name) return stage.seconds;
+  return 0;
+}
+
 SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Effort& effort,
                                ReferenceKernels& reference) {
   return bench.dimension == 2 ? measure_block_in<2>(bench, size, effort, reference)

@@ -31,6 +31,12 @@ struct SpeedMeasurement {
   double ratio() const { return (work.flops / roofs.gflops + work.bytes / roofs.gbytes_s) / samples.front().ns; }
 };
 
+/// Appends the stages that are not among `names` yet.
+void add_stage_names(const SpeedMeasurement& measurement, std::vector<std::string>& names);
+
+/// ns per particle-step of a stage; 0 if there was none of that name.
+double stage_ns(const SpeedSample& sample, const std::string& name);
+
 /// How long to measure. A stretch is a whole number of sort cycles, so that each holds its share of sorting.
 struct Effort {
   int samples = 5;
