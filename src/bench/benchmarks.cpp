@@ -7,7 +7,7 @@ namespace geodrop {
 namespace {
 
 // A new basis is one word here, and its costs in work_counts.cpp.
-constexpr Basis shipped_bases[] = {Basis::bspline2};
+constexpr Basis shipped_bases[] = {Basis::bspline2, Basis::gimp, Basis::linear};
 constexpr BenchMaterial shipped_materials[] = {BenchMaterial::water, BenchMaterial::viscous, BenchMaterial::elastic,
                                                BenchMaterial::soil, BenchMaterial::undrained};
 
@@ -74,6 +74,10 @@ std::string name_of(Basis basis) {
   switch (basis) {
     case Basis::bspline2:
       return "bspline2";
+    case Basis::gimp:
+      return "gimp";
+    case Basis::linear:
+      return "linear";
   }
   return "";
 }

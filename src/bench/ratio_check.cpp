@@ -1,5 +1,7 @@
 #include "ratio_check.hpp"
 
+#include <geodrop/error.hpp>
+
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -15,9 +17,13 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
+[[noreturn]] void refuse(const std::string& file, int line, const std::string& found, const std::string& allowed) {
+  throw SceneError(file, {{{line, 1}, "--check", found, allowed, ProblemSource::elsewhere}});
+}
+
 std::size_t column(const std::vector<std::string>& head, const std::string& name, const std::string& file) {
   const auto found = std::find(head.begin(), head.end(), name);
-  if (found == head.end()) throw std::runtime_error(file + ": no column " + name);
+  if (found == head.end()) refuse(file, 1, "no column " + name, "a table with it");
   return static_cast<std::size_t>(found - head.begin());
 }
 
@@ -38,7 +44,7 @@ std::vector<CommittedRatio> read_ratios(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::ifstream in(path);
   std::string line;
-  if (!std::getline(in, line)) throw std::runtime_error(file + ": cannot be read or is empty");
+  if (!std::getline(in, line)) refuse(file, 0, "no such file, or an empty one", "a table of ratios");
   const std::vector<std::string> head = split(line);
   const std::size_t name = column(head, "name", file), processor = column(head, "processor", file);
   const std::size_t particles = column(head, "particles", file), threads = column(head, "threads", file);
@@ -51,7 +57,7 @@ std::vector<CommittedRatio> read_ratios(const std::filesystem::path& path) {
                         std::stoi(cells.at(threads)), std::stod(cells.at(ratio))});
       if (!(ratios.back().ratio > 0)) throw std::invalid_argument("ratio");
     } catch (const std::logic_error&) {  // too few cells, a text where a number belongs, or no ratio
-      throw std::runtime_error(file + ":" + std::to_string(number) + ": not a row of ratios: " + line);
+      refuse(file, number, line, "name, particles, threads and a ratio > 0 in the columns of that name");
     }
   }
   return ratios;

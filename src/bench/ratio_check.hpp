@@ -31,8 +31,8 @@ struct RatioVerdict {
 /// Calls `measure` until a ratio reaches (1 - loss) of the committed one, three times at most.
 RatioVerdict judge_ratio(double committed, double loss, const std::function<double()>& measure);
 
-/// Reads a table with the columns name, processor, particles, threads, ratio among others; throws std::runtime_error
-/// that names the file, and the column or line that it misses.
+/// Reads a table with the columns name, processor, particles, threads, ratio among others; throws SceneError
+/// that names the file, and the column that it misses or the line that is wrong.
 std::vector<CommittedRatio> read_ratios(const std::filesystem::path& file);
 
 /// The committed ratio of this name, number of particles and threads, or nullptr.

@@ -3,16 +3,23 @@
 namespace geodrop {
 namespace {
 
-/// A tensor-product basis: nodes per axis, and operations for position, weights, slopes and reach of one axis.
+/// A tensor-product basis: nodes per axis, operations for the weights of one axis, and whether C takes moments of the
+/// velocity (APIC) or its gradient (TPIC).
 struct BasisCost {
   int support;
   double weights_per_axis;
+  bool moments;
 };
 
+//                      position, cell, reach 7; slopes over h, one a node; the shape functions themselves
 BasisCost cost_of(Basis basis) {
   switch (basis) {
     case Basis::bspline2:
-      return {3, 19};  // cell 2, floor 2, r 1, left, right 2, w 6, g 4, reach 2
+      return {3, 7 + 3 + 9, true};
+    case Basis::gimp:
+      return {3, 7 + 3 + 17, false};
+    case Basis::linear:
+      return {2, 7 + 2 + 1, false};
   }
   return {};
 }
@@ -58,14 +65,15 @@ double scatter_flops(int d, double support, double acting) {
   return record + rows * (row + support * node) + acting;  // acting: times dt
 }
 
-/// gather_sums by rows and planes, store_sums, move_chunk, finish_chunk.
-double gather_flops(int d, double support, bool blend) {
-  const double node = (blend ? 8 : 6) * lanes;
-  const double row = (blend ? 12 : 10) * lanes + 3;
-  const double plane = (blend ? 12 : 10) * lanes + (d == 3 ? 4 * lanes + 3 : 0);
-  const double planes = d == 2 ? 1 : support;
-  const double per_axis = 2 * lanes + 1 + 3 + (blend ? 5 : 0) + 4;
-  return 3 * support + planes * (support * (row + support * node) + plane) + d * per_axis;
+/// gather_sums by rows and planes, store_sums, move_chunk, finish_chunk. Each sum of records is two operations a lane.
+double gather_flops(int d, const BasisCost& basis, bool blend) {
+  const double moments = basis.moments ? 1 : 0, change = blend ? 1 : 0;
+  const double node = 2 * lanes * (2 + moments + change);
+  const double row = 2 * lanes * (3 + 2 * moments + change) + 3 * moments;
+  const double plane = 2 * lanes * (3 + 2 * moments + change) + (d == 3 ? 2 * lanes * (1 + moments) + 3 * moments : 0);
+  const double planes = d == 2 ? 1 : basis.support;
+  const double per_axis = 2 * lanes + 1 + 3 + 5 * change + 4;
+  return 3 * moments * basis.support + planes * (basis.support * (row + basis.support * node) + plane) + d * per_axis;
 }
 
 /// Doubles of a particle that stages read and write; stress components that act on the grid.
@@ -104,7 +112,7 @@ WorkCount work_of(const WorkKind& kind) {
   work.flops = 2 * d * basis.weights_per_axis;  // for the scatter and again for the gather
   work.flops += (d == 2 ? law.carried_2d : law.carried_3d) + (d == 2 ? law.update_2d : law.update_3d);
   work.flops += scatter_flops(d, basis.support, kind.blend ? 0 : (d == 2 ? 3 : 6));
-  work.flops += gather_flops(d, basis.support, kind.blend);
+  work.flops += gather_flops(d, basis, kind.blend);
   if (kind.cell_pressure) work.flops += 3 * d + 10;  // cell 3 an axis; volume, pressure, sums
 
   const Traffic doubles = doubles_moved(kind, law);

@@ -73,12 +73,13 @@ TEST_CASE("ratios are found by name, particles and threads, whatever the order o
 TEST_CASE("a broken table of ratios is refused with file and line") {
   const TemporaryDirectory directory;
   const std::string head = "name,processor,particles,threads,ratio\n";
-  CHECK_THROWS_WITH(read_ratios(directory / "absent.csv"), doctest::Contains("absent.csv: cannot be read"));
+  CHECK_THROWS_WITH(read_ratios(directory / "absent.csv"),
+                    doctest::Contains("absent.csv: --check: found no such file"));
   CHECK_THROWS_WITH(read_ratios(write(directory, "a.csv", "name,particles,threads,ratio\n")),
-                    doctest::Contains("a.csv: no column processor"));
+                    doctest::Contains("a.csv:1:1: --check: found no column processor"));
   for (const char* row : {"water,A,1000,1", "water,A,many,1,0.5", "water,A,1000,1,0", "water,A,1000,1,nan"})
     CHECK_THROWS_WITH(read_ratios(write(directory, "b.csv", head + "water,A,1,1,1\n" + row + "\n")),
-                      doctest::Contains("b.csv:3: not a row of ratios"));
+                      doctest::Contains("b.csv:3:1: --check: found water"));
 }
 
 TEST_CASE("the ratios of this processor are preferred, else the first file serves") {

@@ -112,6 +112,19 @@ TEST_CASE("Sorted particles lie cell by cell in their slabs, in the order of the
   check_order(space.state.bodies[0], space.grid.layout);
 }
 
+TEST_CASE("Particles with empty slabs below, between and above them are sorted as well") {
+  Grid<3> grid = make_grid<3>(box_scene<3>(40, 0.5, WallKind::slip));
+  State<3> state;
+  Random random;
+  state.bodies = {random_body<3>(3000, 4.1, 9.9, random)};
+  for (std::size_t p = 0; p < 1500; ++p) state.bodies[0].x[1][p] += 8;
+  state.drift = -1;
+  const State<3> before = state;
+  sort_particles_if_due(state, grid);
+  check_complete(state.bodies[0], before.bodies[0]);
+  check_order(state.bodies[0], grid.layout);
+}
+
 TEST_CASE("Slabs of one colour share no node, not even after one cell of drift") {
   // Base cells of slab s: [W s, W s + W - 1]. Drift 1, support 1: nodes [W s - 2, W s + W + 1].
   CHECK(2 * slab_width<2> - 2 > slab_width<2> + 1);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "grid/momentum.hpp"
+#include "grid/sort_particles.hpp"
 #include "kernels/kernels.hpp"
 #include "support/random_particles.hpp"
 
@@ -91,4 +92,33 @@ TEST_CASE("Folding at all walls and corners keeps the mass, and leaves nothing b
   });
   CHECK(mass == doctest::Approx(expected).epsilon(1e-12));
   CHECK(beyond == 0);
+}
+
+TEST_CASE("Visiting the active blocks only gives the same bits as visiting all of the grid") {
+  const Scene scene = box_scene<3>(40, 0.5, WallKind::slip, Transfer::blend);
+  Random random;
+  State<3> state;
+  state.drift = -1;
+  // One heap in the corner of all lower walls, one at the upper end of x.
+  state.bodies = {random_body<3>(500, 0, 2, random), random_body<3>(500, 0, 2, random)};
+  for (double& x : state.bodies[1].x[0]) x = 20 - x;
+  Grid<3> some = make_grid<3>(scene);
+  sort_particles_if_due(state, some);
+  REQUIRE(state.active_blocks.size() < static_cast<std::size_t>(some.layout.block_count()) / 4);
+  for (const Body<3>& body : state.bodies) scatter<3>(body, some, 0.1, 0, body.size());
+  Grid<3> all = some;
+  State<3> everywhere;
+  activate_all_blocks(everywhere, all.layout);
+  fold_walls(state, some);
+  fold_walls(everywhere, all);
+  update_momentum<3>(state, some, {}, 0.1);
+  update_momentum<3>(everywhere, all, {}, 0.1);
+  double worst = 0, ghosts = 0;
+  for_each_node(all.layout, 2, [&](int flat, const std::array<int, 3>& i) {
+    for (const auto field : {&Grid<3>::sum, &Grid<3>::force, &Grid<3>::velocity, &Grid<3>::velocity_change})
+      worst = std::max(worst, largest_component((some.*field)[flat] - (all.*field)[flat]));
+    if (i[0] == -1 || i[0] == 41) ghosts = std::max(ghosts, largest_component(some.velocity[flat]));
+  });
+  CHECK(worst == 0);
+  CHECK(ghosts > 0);
 }

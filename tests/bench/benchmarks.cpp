@@ -1,0 +1,81 @@
+// The table of benchmarks: every entry runs and is counted. Nothing here is timed.
+#include "bench/benchmarks.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "bench/work_counts.hpp"
+
+using namespace geodrop;
+
+namespace {
+
+struct Moved {
+  double before, after;  ///< mean coordinate along x [m]
+};
+
+/// Some steps of a small block.
+template <int Dim>
+Moved move_block(const Benchmark& bench) {
+  const Scene scene = block_scene(bench, {1e3, 1});
+  State<Dim> state = build_state<Dim>(scene);
+  Grid<Dim> grid = make_grid<Dim>(scene);
+  Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
+  set_in_motion<Dim>(scene, 1, state);
+  const auto mean = [&] {
+    const auto& x = state.bodies[0].x[0];
+    return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+  };
+  Moved moved{mean(), 0};
+  for (int step = 0; step < 10; ++step) advance(scene, pipeline, state, grid);
+  moved.after = mean();
+  return moved;
+}
+
+WorkCount work(int dimension, Basis basis, BenchMaterial material = BenchMaterial::water, bool cell = false) {
+  return work_of({dimension, basis, material, false, cell});
+}
+
+}  // namespace
+
+TEST_CASE("Every benchmark has a name of its own, work, and a block that moves as it should") {
+  std::set<std::string> names;
+  for (const Benchmark& bench : all_benchmarks()) {
+    CAPTURE(bench.name);
+    CHECK(names.insert(bench.name).second);
+    CHECK(work_of({bench.dimension, bench.basis, bench.material, bench.transfer == Transfer::blend,
+                   bench.pressure == PressureSupport::cell})
+              .flops > 100);
+    const Moved moved = bench.dimension == 2 ? move_block<2>(bench) : move_block<3>(bench);
+    // 0.15 c over steps of h / 2 / (c + |v|), |v| = 0.23 to 0.28 c at the corner: 0.6 cells in ten steps
+    CHECK(moved.after - moved.before == doctest::Approx(0.6).epsilon(0.1));
+  }
+}
+
+TEST_CASE("The block stays clear of the walls of every domain") {
+  for (const int dimension : {2, 3})
+    for (const double factor : {1.0, 3.0, 8.0}) {
+      const Scene scene = block_scene({"", dimension}, {1e4, factor});
+      const auto& box = std::get<BoxShape>(scene.bodies[0].shape);
+      CHECK(box.lower[0] >= 8);
+      CHECK(box.upper[0] <= scene.grid.upper[0] - 8);
+    }
+}
+
+TEST_CASE("Operations of water on hat functions in 2D, counted by hand") {
+  // Weights, scatter and gather of one axis: 10 each. Law 7 + 2.
+  // Scatter: record 2 + 2 (12 + 2), times dt 3, two rows of 8 + 4 + 12 and two nodes of 28.
+  // Gather: two rows of 24 and two nodes of 16, plane 24, per axis 8 + 1 + 3 + 4.
+  const double expected = 40 + 9 + (30 + 3 + 2 * (24 + 56)) + (2 * (24 + 32) + 24 + 32);
+  CHECK(work(2, Basis::linear).flops == expected);
+}
+
+TEST_CASE("Cell pressure, a wider support and a third dimension are more work") {
+  CHECK(work(2, Basis::linear, BenchMaterial::water, true).bytes > work(2, Basis::linear).bytes);
+  CHECK(work(2, Basis::bspline2).flops > work(2, Basis::linear).flops);
+  CHECK(work(3, Basis::gimp).flops > 2 * work(2, Basis::gimp).flops);
+}
