@@ -10,7 +10,7 @@
 namespace geodrop {
 
 /// A material as benchmarks name it.
-enum class BenchMaterial { water, viscous, elastic, soil, undrained };
+enum class BenchMaterial { water, viscous, elastic, rubber, soil, undrained };
 
 struct Benchmark {
   std::string name;
@@ -42,7 +42,8 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size);
 
 /// Sets the block moving: 0.15 c along every axis, so that it crosses a cell in about 16 steps, and a shear of
 /// +-0.03 c across its height. `direction` +1 or -1 turns both round, so that the block stays where it is on average.
-/// Soil is put on its yield surface under 10 kPa, and goes on yielding.
+/// All strain is taken back: what a free block does after long shearing is no matter of speed. Soil is put on its yield
+/// surface under 10 kPa, and goes on yielding.
 template <int Dim>
 void set_in_motion(const Scene& scene, double direction, State<Dim>& state);
 

@@ -41,6 +41,7 @@ double particle_bytes(const Body<Dim>& body) {
   for (const auto& values : body.x) bytes += bytes_in(values);
   for (const auto& values : body.v) bytes += bytes_in(values);
   for (const auto& values : body.affine) bytes += bytes_in(values);
+  for (const auto& values : body.deformation) bytes += bytes_in(values);
   for (const auto& values : body.stress) bytes += bytes_in(values);
   for (const auto& values : body.initial_x) bytes += bytes_in(values);
   return bytes;
@@ -51,7 +52,7 @@ BenchMaterial kind_of(const Material& material) {
     return water->viscosity > 0 ? BenchMaterial::viscous : BenchMaterial::water;
   if (const auto* soil = std::get_if<MohrCoulomb>(&material))
     return soil->pore_stiffness > 0 ? BenchMaterial::undrained : BenchMaterial::soil;
-  return BenchMaterial::elastic;
+  return std::holds_alternative<NeoHookean>(material) ? BenchMaterial::rubber : BenchMaterial::elastic;
 }
 
 template <int Dim>
@@ -63,9 +64,9 @@ SpeedMeasurement describe(const Subject<Dim>& subject) {
   const double all = static_cast<double>(m.particles);
   for (const Body<Dim>& body : subject.state.bodies) {
     m.bytes_per_particle += particle_bytes(body) / all;
-    m.work += work_of({Dim, subject.scene.grid.basis, kind_of(body.material),
-                       subject.scene.solver.transfer == Transfer::blend, body.pressure == PressureSupport::cell}) *
-              (static_cast<double>(body.size()) / all);
+    m.work +=
+        work_of({Dim, subject.scene.grid.basis, kind_of(body.material), subject.scene.solver.transfer, body.pressure}) *
+        (static_cast<double>(body.size()) / all);
   }
   return m;
 }

@@ -3,136 +3,162 @@
 namespace geodrop {
 namespace {
 
-/// A tensor-product basis: nodes per axis, operations for the weights of one axis, and whether C takes moments of the
-/// velocity (APIC) or its gradient (TPIC).
-struct BasisCost {
-  int support;
-  double weights_per_axis;
-  bool moments;
-};
-
-//                      position, cell, reach 7; slopes over h, one a node; the shape functions themselves
-BasisCost cost_of(Basis basis) {
-  switch (basis) {
-    case Basis::bspline2:
-      return {3, 7 + 3 + 9, true};
-    case Basis::gimp:
-      return {3, 7 + 3 + 17, false};
-    case Basis::linear:
-      return {2, 7 + 2 + 1, false};
-    case Basis::tri3:
-    case Basis::tet4:
-      return {2, 5 + 2, false};  // position and reach 5, weights 2 (their order takes comparisons)
-  }
-  return {};
-}
-
-bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
+/// Node records are four lanes wide; the idle one of 3 + 1 in 2D is counted, because it is executed.
+constexpr double lanes = 4;
 
 /// Operations and particle data of a material law, beside position, velocity, affine rate, mass and volume ratio.
 struct LawCost {
   double carried_2d, carried_3d;  ///< flops of the stress that a particle carries to the grid
   double update_2d, update_3d;    ///< flops of the law; Mohr-Coulomb yields on its shear plane
-  int tensors;                    ///< stresses kept [-]
-  int scalars;                    ///< accumulated strain, pore pressure
+  int stresses;                   ///< tensors kept: 0 or 1
+  int strains, pores;             ///< accumulated strain, pore pressure: 0 or 1
+  int deformations;               ///< deformation gradients: 0 or 1
 };
 
-//                      carried: volume 2; fluid V p 5, viscous two a component; solid mean 5, four a component; pore 2
-//                      update:  J 2; viscous: deviator 7 | 12 and its factor 5 | 7; rotation 28 | 126, deviator 7 | 12,
-//                      elastic increment 12 | 16;
-//                               Mohr-Coulomb 2D principal stresses and return 75, strain 10;
-//                               3D eigenvector 80, reflections 119, return 71, sum 6, strain 15; pore 2
+//    carried  volume 2; fluid V p 5, viscous two a component; solid mean 5, four a component; pore 2
+//    update   J 2; viscous: deviator 7 | 12 and its factor 5 | 7;
+//             elastic: rotation 28 | 126, deviator 7 | 12, increment 12 | 16;
+//             neo-Hookean: F 16 | 54, J 3 | 14, b 9 | 30, logarithm 20 and stress 16 | 20;
+//             Mohr-Coulomb on top of elastic: 2D principal stresses and return 75, strain 10;
+//             3D eigenvector 80, reflections 119, return 71, sum 6, strain 15; pore 2
 LawCost cost_of(BenchMaterial material) {
   switch (material) {
     case BenchMaterial::water:
-      return {7, 7, 2, 2, 0, 0};
+      return {7, 7, 2, 2, 0, 0, 0, 0};
     case BenchMaterial::viscous:
-      return {13, 19, 14, 21, 1, 0};
+      return {13, 19, 14, 21, 1, 0, 0, 0};
     case BenchMaterial::elastic:
-      return {19, 31, 49, 156, 1, 0};
+      return {19, 31, 49, 156, 1, 0, 0, 0};
+    case BenchMaterial::rubber:
+      return {19, 31, 64, 138, 1, 0, 0, 1};
     case BenchMaterial::soil:
-      return {19, 31, 134, 447, 1, 1};
+      return {19, 31, 134, 447, 1, 1, 0, 0};
     case BenchMaterial::undrained:
-      return {21, 33, 136, 449, 1, 2};
+      return {21, 33, 136, 449, 1, 1, 1, 0};
   }
   return {};
 }
 
-/// Node records are four lanes wide; the idle one of 3 + 1 in 2D is counted, because it is executed.
-constexpr double lanes = 4;
+/// Flops of the transfers of a basis that is a product over the axes.
+struct ProductBasis {
+  int support;   ///< nodes per axis
+  double shape;  ///< operations of N and its slope along one axis
+  bool moments;  ///< C takes moments of the velocity (APIC), or else its gradient (TPIC)
 
-/// make_record, then add_row for each row of nodes.
-double scatter_flops(int d, double support, double acting) {
-  const double record = d + d * (3 * lanes + d);
-  const double row = (d == 2 ? 2 : 4) * lanes + (d == 2 ? lanes : 3 * lanes + 3) + 3 * lanes;
-  const double node = 7 * lanes;  // value 2, force 3, its sum 1, next value 1
-  const double rows = d == 2 ? support : support * support;
-  return record + rows * (row + support * node) + acting;  // acting: times dt
-}
+  double weights(int d) const { return d * (7 + support + shape); }  // position, cell, reach 7; slopes over h
 
-/// gather_sums by rows and planes, store_sums, move_chunk, finish_chunk. Each sum of records is two operations a lane.
-double gather_flops(int d, const BasisCost& basis, bool blend) {
-  const double moments = basis.moments ? 1 : 0, change = blend ? 1 : 0;
-  const double node = 2 * lanes * (2 + moments + change);
-  const double row = 2 * lanes * (3 + 2 * moments + change) + 3 * moments;
-  const double plane = 2 * lanes * (3 + 2 * moments + change) + (d == 3 ? 2 * lanes * (1 + moments) + 3 * moments : 0);
-  const double planes = d == 2 ? 1 : basis.support;
-  const double per_axis = 2 * lanes + 1 + 3 + 5 * change + 4;
-  return 3 * moments * basis.support + planes * (basis.support * (row + basis.support * node) + plane) + d * per_axis;
-}
+  /// Rows of nodes; a node: value 2, force 3, its sum 1, next value 1 (times the lanes).
+  double scatter(int d) const {
+    const double row = (d == 2 ? 2 : 4) * lanes + (d == 2 ? lanes : 3 * lanes + 3) + 3 * lanes;
+    const double rows = d == 2 ? support : support * support;
+    return rows * (row + support * 7 * lanes);
+  }
 
-/// MUSL on d + 1 nodes: to the grid with value 2, force 2, sums 2, next value 1; velocity there and back again 2 + 2 +
-/// 2; position and gradient 4; and what is spread over d components.
-double simplex_flops(int d) { return (d + 1) * (7 + 6 + 4) * lanes + d * (3 * lanes + 16); }
-
-/// Doubles of a particle that stages read and write; stress components that act on the grid.
-struct Traffic {
-  double scatter, gather, cells, kept;
+  /// Each sum of records is two operations a lane.
+  double gather(int d, bool blend) const {
+    const double m = moments ? 1 : 0, change = blend ? 1 : 0;
+    const double node = 2 * lanes * (2 + m + change);
+    const double row = 2 * lanes * (3 + 2 * m + change) + 3 * m;
+    const double plane = 2 * lanes * (3 + 2 * m + change) + (d == 3 ? 2 * lanes * (1 + m) + 3 * m : 0);
+    const double planes = d == 2 ? 1 : support;
+    return 3 * m * support + planes * (support * (row + support * node) + plane);
+  }
 };
-Traffic doubles_moved(const WorkKind& kind, const LawCost& law) {
-  const int d = kind.dimension, components = d == 2 ? 4 : 6;
-  const double stress = law.tensors * components, acting = law.tensors * (d == 2 ? 3 : 6);
-  const double solid_mean = law.tensors * (d == 2 ? 1 : 0);  // ZZ, for the mean only
-  Traffic t;
-  t.scatter = 2 * d + d * d + 2 + acting + solid_mean + (law.scalars > 1 ? 1 : 0);
-  t.gather = 2 * d + (kind.blend ? 2 : 1) * d + d * d + 2 + 2 * stress + 2 * law.scalars;
-  t.cells = kind.cell_pressure ? d + 2 + 3 * law.tensors + (law.scalars > 1 ? 1 : 0) : 0;
-  t.kept = 2 * d + d * d + 2 + stress + law.scalars;
-  return t;
+
+/// Flops of the transfers, by basis.
+struct TransferCost {
+  double weights, scatter, gather;
+};
+
+TransferCost product_cost(const ProductBasis& basis, int d, bool blend) {
+  return {basis.weights(d), basis.scatter(d), basis.gather(d, blend)};
 }
 
-/// Bytes per node: cleared, scattered to and from, updated, gathered; blend has two records more, cells 6 numbers.
+/// d + 1 nodes; each: N 1; difference, scale, value 2, sum, next value; gathered value and gradient 2 each.
+TransferCost simplex_cost(int d, bool blend) {
+  const double nodes = d + 1;
+  return {5.0 * d + nodes, nodes * 6 * lanes, nodes * (blend ? 6 : 4) * lanes};
+}
+
+TransferCost transfer_cost(Basis basis, int d, bool blend) {
+  switch (basis) {
+    case Basis::bspline2:
+      return product_cost({3, 9, true}, d, blend);
+    case Basis::gimp:
+      return product_cost({3, 17, false}, d, blend);
+    case Basis::linear:
+      return product_cost({2, 1, false}, d, blend);
+    case Basis::tri3:
+    case Basis::tet4:
+      return simplex_cost(d, blend);
+  }
+  return {};
+}
+
+/// What the average of the pressure adds: cell 3 an axis, volume, pressure and sums 10; nodes: weights twice more, the
+/// gradient again, sums and means of two fields.
+double pressure_flops(PressureSupport pressure, int d, const TransferCost& transfer) {
+  if (pressure == PressureSupport::cell) return 3 * d + 10;
+  if (pressure == PressureSupport::nodal) return 2 * transfer.weights + transfer.gather + 11 * (d + 1) + 15;
+  return 0;
+}
+
+bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
+
+/// Simplices give the new velocity back to the grid before the gradient is taken: weights twice more, the velocity
+/// gathered, momentum 4 lanes a node.
+double remap_flops(int d, const TransferCost& transfer) {
+  return 2 * transfer.weights + transfer.gather + (d + 1) * 4 * lanes;
+}
+
+double flops_of(const WorkKind& kind, const LawCost& law) {
+  const int d = kind.dimension, acting = d == 2 ? 3 : 6;
+  const bool blend = kind.transfer == Transfer::blend;
+  const TransferCost transfer = transfer_cost(kind.basis, d, blend);
+  double flops = 2 * transfer.weights + transfer.scatter + transfer.gather;  // weights for scatter and for gather
+  flops += d + d * (3 * lanes + d) + (blend ? 0 : acting);                   // make_record; stress times dt
+  flops += d * (2 * lanes + 1 + 3 + (blend ? 5 : 0) + 4);                    // store_sums, move_chunk, finish_chunk
+  flops += (d == 2 ? law.carried_2d : law.carried_3d) + (d == 2 ? law.update_2d : law.update_3d);
+  if (is_simplex(kind.basis)) flops += remap_flops(d, transfer);
+  return flops + pressure_flops(kind.pressure, d, transfer);
+}
+
+/// Doubles of a particle that the stages read and write in a step.
+double doubles_moved(const WorkKind& kind, const LawCost& law) {
+  constexpr double steps_per_sort = 16;
+  const int d = kind.dimension, components = d == 2 ? 4 : 6;
+  const double stress = law.stresses * components, deformation = law.deformations * d * d;
+  // Scatter reads position, velocity, affine rate, mass, J, stress; in 2D ZZ is read for the mean only.
+  const double scatter = 2 * d + d * d + 2 + stress + law.pores;
+  // Gather renews position, J, stress, strain, pore pressure, F; writes velocity and affine rate. Viscous and
+  // neo-Hookean stress is written only, but counted as renewed: less than 5 %.
+  const double velocity = kind.transfer == Transfer::blend ? 2 : 1;
+  const double gather = 2 * d + velocity * d + d * d + 2 + 2 * (stress + law.strains + law.pores + deformation);
+  const double volume_and_pressure = d + 2 + 3 * law.stresses + law.pores;
+  const double average = kind.pressure == PressureSupport::cell    ? volume_and_pressure
+                         : kind.pressure == PressureSupport::nodal ? volume_and_pressure + d + 2
+                                                                   : 0;
+  // Positions twice, velocity and affine rate written and read, mass.
+  const double remap = is_simplex(kind.basis) ? 2 * d + 2 * (d + d * d) + 1 : 0;
+  const double kept = 2 * d + d * d + 2 + stress + law.strains + law.pores + deformation;
+  return scatter + gather + average + remap + 2 * kept / steps_per_sort;
+}
+
+/// Bytes per node: record cleared 1, scattered 2, updated 2, gathered 1; blend has force 5 and change 2 more; cells and
+/// nodal averages 14 or 15 numbers.
 double node_bytes(const WorkKind& kind) {
   constexpr double record = lanes * sizeof(double);
-  const double records = 1 + 2 + 2 + 1 + (kind.blend ? 1 + 2 + 1 + 1 + 1 : 0);
-  const double cell_numbers = kind.cell_pressure ? 2 + 4 + 5 + 1 + 2 : 0;
-  return records * record + cell_numbers * sizeof(double);
+  const double records = 6 + (kind.transfer == Transfer::blend ? 7 : 0);
+  const double numbers = kind.pressure == PressureSupport::cell ? 14 : kind.pressure == PressureSupport::nodal ? 15 : 0;
+  return records * record + numbers * sizeof(double);
 }
 
 }  // namespace
 
 WorkCount work_of(const WorkKind& kind) {
-  constexpr double steps_per_sort = 16;
-  const int d = kind.dimension;
-  const double particles_per_node = d == 2 ? 4 : 8;
-  const BasisCost basis = cost_of(kind.basis);
+  const double particles_per_node = kind.dimension == 2 ? 4 : 8;
   const LawCost law = cost_of(kind.material);
-  WorkCount work;
-  work.flops = 2 * d * basis.weights_per_axis;  // for the scatter and again for the gather
-  work.flops += (d == 2 ? law.carried_2d : law.carried_3d) + (d == 2 ? law.update_2d : law.update_3d);
-  if (is_simplex(kind.basis)) {
-    work.flops += simplex_flops(d) + 2 * d * basis.weights_per_axis;  // velocity and momentum take weights once more
-  } else {
-    work.flops += scatter_flops(d, basis.support, kind.blend ? 0 : (d == 2 ? 3 : 6));
-    work.flops += gather_flops(d, basis, kind.blend);
-  }
-  if (kind.cell_pressure) work.flops += 3 * d + 10;  // cell 3 an axis; volume, pressure, sums
-
-  const Traffic doubles = doubles_moved(kind, law);
-  work.bytes = sizeof(double) * (doubles.scatter + doubles.gather + doubles.cells);
-  work.bytes += 2 * sizeof(double) * doubles.kept / steps_per_sort;
-  work.bytes += node_bytes(kind) / particles_per_node;
-  return work;
+  return {flops_of(kind, law), sizeof(double) * doubles_moved(kind, law) + node_bytes(kind) / particles_per_node};
 }
 
 }  // namespace geodrop

@@ -24,7 +24,8 @@ struct WorkKind {
   int dimension = 2;
   Basis basis = Basis::bspline2;
   BenchMaterial material = BenchMaterial::water;
-  bool blend = false, cell_pressure = false;
+  Transfer transfer = Transfer::apic;
+  PressureSupport pressure = PressureSupport::particle;
 };
 WorkCount work_of(const WorkKind& kind);
 

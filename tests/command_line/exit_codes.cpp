@@ -59,14 +59,9 @@ TEST_CASE("A benchmark, a main case or ratios that are not there end with 2") {
   const Outcome unknown = run_program({"bench", "--only", "honey", "--output", output});
   CHECK(unknown.code == 2);
   CHECK(contains(unknown.out, "no benchmark is called 'honey'"));
-  const Outcome no_scene =
-      run_program({"bench", "--only", "main_case", "--scene", "no_such_scene.toml", "--output", output});
-  CHECK(no_scene.code == 2);
-  CHECK(contains(no_scene.err, "no_such_scene"));
-  const Outcome no_ratios =
-      run_program({"bench", "--only", "water_2d_linear", "--check", "no_such_ratios.csv", "--output", output});
-  CHECK(no_ratios.code == 2);
-  CHECK(contains(no_ratios.err, "no_such_ratios.csv: --check: found no such file"));
+  check_usage({"bench", "--only", "main_case", "--scene", "no_such_scene.toml", "--output", output}, "no_such_scene");
+  check_usage({"bench", "--only", "water_2d_linear", "--check", "no_such_ratios.csv", "--output", output},
+              "no_such_ratios.csv: --check: found no such file");
 }
 
 TEST_CASE("A directory that holds other things than a run is not touched") {
