@@ -1,6 +1,7 @@
 // From the scene to the state at t = 0.
 #include <algorithm>
 #include <cmath>
+#include <geodrop/exact.hpp>
 #include <geodrop/pipeline.hpp>
 #include <geodrop/shapes.hpp>
 #include <numbers>
@@ -39,8 +40,21 @@ void allocate(Body<Dim>& body) {
 }
 
 template <int Dim>
-void set_velocity(const InitialVelocity& initial, Body<Dim>& body) {
-  if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
+void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    Vec<Dim> x;
+    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
+    const ExactPoint<Dim> exact = exact_point<Dim>(solution, x, x, 0);
+    for (int a = 0; a < Dim; ++a) body.v[a][p] = exact.velocity[a];
+    for (int c = 0; c < Dim * Dim; ++c) body.affine[c][p] = exact.velocity_gradient(c / Dim, c % Dim);
+  }
+}
+
+template <int Dim>
+void set_velocity(const Scene& scene, const InitialVelocity& initial, Body<Dim>& body) {
+  if (std::holds_alternative<FromExactSpec>(initial)) {
+    set_exact_velocity(exact_solution<Dim>(scene, body.name), body);
+  } else if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
     for (int a = 0; a < Dim; ++a) body.v[a].assign(body.size(), uniform->value[a]);
   } else if (const auto* bar = std::get_if<BarFirstModeSpec>(&initial)) {
     const double k = std::numbers::pi / (2 * bar->length);
@@ -65,7 +79,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   fill_particles(scene, spec, body);
   allocate(body);
   set_initial_stress(scene, spec, body);
-  set_velocity(spec.initial_velocity, body);
+  set_velocity(scene, spec.initial_velocity, body);
   body.initial_x = body.x;
   return body;
 }
