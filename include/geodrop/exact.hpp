@@ -29,7 +29,8 @@ struct TaylorGreen {
   double density, bulk_modulus;  ///< [kg/m3], [Pa]
 };
 
-/// A body of uniform stretch that drifts: nothing changes. Its shape in the scene is the stretched one.
+/// A body of uniform stretch that drifts: nothing changes. Its shape in the scene, a box, is the stretched one; the
+/// lattice of its particles is stretched too.
 template <int Dim>
 struct UniformMotion {
   Vec<Dim> velocity;  ///< [m/s]

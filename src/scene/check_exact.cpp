@@ -45,6 +45,17 @@ void check_follower(const Scene& scene, const std::string& key, const std::strin
              "a body that is named in [[exact]]");
 }
 
+/// A stretched body is a plain box: its lattice is filled unstrained, where other shapes have no place.
+void check_stretched(const Scene& scene, const ExactSpec& exact, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, exact.body);
+  if (!body || !std::holds_alternative<UniformMotionSpec>(exact.solution) || !report.healthy(key) ||
+      !report.healthy("bodies." + body->name))
+    return;
+  if (!std::holds_alternative<BoxShape>(body->shape) || !body->minus.empty())
+    report.add(key + ".body", '"' + exact.body + "\", which is no plain box",
+               "a body whose shape is a box and that has no minus");
+}
+
 }  // namespace
 
 void check_exact(const Scene& scene, Report& report) {
@@ -52,6 +63,7 @@ void check_exact(const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.exact.size(); ++i) {
     const std::string& key = report.element("exact", i);
     check_solution(scene, scene.exact[i], key, report);
+    check_stretched(scene, scene.exact[i], key, report);
     if (!scene.exact[i].body.empty() && !bodies.insert(scene.exact[i].body).second)
       report.add(key + ".body", '"' + scene.exact[i].body + "\", which follows a solution already",
                  "one solution for each body");

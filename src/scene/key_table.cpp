@@ -188,7 +188,7 @@ constexpr Key keys[] = {
     {"exact", "axis", choice, "", "type=bar_first_mode", required, words("x|y"), "along the bar", 2},
     {"exact", "axis", choice, "", "type=bar_first_mode", required, words("x|y|z"), "along the bar", 3},
     {"exact", "velocity", point, "m/s", "type=uniform_motion", required, any, "of the drift"},
-    {"exact", "stretch", point, "", "type=uniform_motion", required, positive, "present over unstrained length along each axis; the body's shape is the stretched one"},
+    {"exact", "stretch", point, "", "type=uniform_motion", required, positive, "present over unstrained length along each axis; the body's shape, a box, is the stretched one, and the lattice of its particles is stretched with it"},
 
     {"probes", "name", name, "", "", required, identifier, "heads the probe's columns in history.csv"},
     {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact"), "tracer: a point that moves with the material; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows"},

@@ -66,6 +66,30 @@ void set_velocity(const Scene& scene, const InitialVelocity& initial, Body<Dim>&
   }
 }
 
+/// A body of uniform stretch is filled unstrained: its lattice is stretched with it, so that it is out of step with the
+/// grid. J then holds the present volume [m3], as fill_particles leaves it.
+template <int Dim>
+void fill_stretched(Scene scene, BodySpec spec, const UniformMotion<Dim>& motion, Body<Dim>& body) {
+  auto& box = std::get<BoxShape>(spec.shape);
+  for (int a = 0; a < Dim; ++a)
+    for (Point* corner : {&box.lower, &box.upper, &scene.grid.lower, &scene.grid.upper})
+      (*corner)[a] /= motion.stretch[a];
+  fill_particles(scene, spec, body);
+  for (int a = 0; a < Dim; ++a)
+    for (double& x : body.x[a]) x *= motion.stretch[a];
+  for (double& volume : body.J) volume *= motion.stretch.prod();
+}
+
+template <int Dim>
+void fill(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
+  if (std::holds_alternative<FromExactSpec>(spec.initial_stress)) {
+    const ExactSolution<Dim> solution = exact_solution<Dim>(scene, spec.name);
+    if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
+      return fill_stretched(scene, spec, *motion, body);
+  }
+  fill_particles(scene, spec, body);
+}
+
 template <int Dim>
 Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   Body<Dim> body;
@@ -76,7 +100,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
   body.half_size = 0.5 / spec.particles_per_cell_axis;
-  fill_particles(scene, spec, body);
+  fill(scene, spec, body);
   allocate(body);
   set_initial_stress(scene, spec, body);
   set_velocity(scene, spec.initial_velocity, body);

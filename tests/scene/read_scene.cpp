@@ -67,7 +67,7 @@ TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
 
 TEST_CASE("bodies as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.bodies.size() == 6);
+  REQUIRE(scene.bodies.size() == 7);
   const BodySpec &sea = scene.bodies[0], &bed = scene.bodies[1], &bag = scene.bodies[2], &wedge = scene.bodies[3],
                  &bar = scene.bodies[4];
   CHECK(sea.shape == Shape{BoxShape{{0, 2}, {10, 7}}});
