@@ -8,7 +8,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "../kernels/chunk.hpp"
+#include "../kernels/bases.hpp"
 #include "fixed_order_sum.hpp"
 
 namespace geodrop {
@@ -90,12 +90,16 @@ void add_particle(const ExactSolution<Dim>& solution, const GridLayout<Dim>& lay
   }
 }
 
-/// Along one axis the three nodes that a particle reaches, folded at walls and wrapped at seams.
+/// Along one axis the three nodes that a particle reaches, folded at walls and wrapped at seams: those of quadratic
+/// splines whatever the basis, so that densities compare.
 template <int Dim>
 void find_nodes(const GridLayout<Dim>& layout, int axis, double x, std::array<int, 3>& node, double* weight) {
   x = layout.wrapped(axis, x);
   const int base = layout.base(axis, x), cells = layout.cells[axis];
-  Bspline2::weights((x - layout.lower[axis]) * layout.inv_h - base, weight);
+  const ThreeWeights at_node = Bspline2::at((x - layout.lower[axis]) * layout.inv_h - base, 0);
+  weight[0] = at_node.w0;
+  weight[1] = at_node.w1;
+  weight[2] = at_node.w2;
   for (int i = 0; i < 3; ++i) {
     const int n = base + i - 1;
     node[i] = layout.periodic(axis) ? (n + cells) % cells : n < 0 ? -n : n > cells ? 2 * cells - n : n;
