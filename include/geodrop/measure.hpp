@@ -74,4 +74,21 @@ struct PressureError {
 template <int Dim>
 PressureError pressure_error(const Body<Dim>& body, const Newtonian& fluid, double surface, double gravity);
 
+/// Difference of a body from the exact solution that it follows. Errors of velocity and strain (of J) are relative to
+/// the solution's scales, see exact.hpp. NaN: not told by the solution.
+struct ExactError {
+  double velocity_rms = 0, velocity_max = 0;          ///< [-]
+  double displacement_rms = 0, displacement_max = 0;  ///< [m]
+  double strain_rms = 0, strain_max = 0;              ///< [-]
+  // TaylorGreen
+  double kinetic_energy = 0;                ///< over the exact one at the particles [-]
+  double pressure_rms = 0;                  ///< over the exact rms [-]
+  double density_min = 0, density_max = 0;  ///< over the nodes, mass over that of a full node [-]
+  // BarFirstMode, from the projection of the motion on the mode
+  double mode_energy = 0;  ///< over the initial one [-]
+  double phase = 0;        ///< ahead of the exact swing, from -pi to pi [rad]
+};
+template <int Dim>
+ExactError exact_error(const Scene& scene, const State<Dim>& state, const Body<Dim>& body);
+
 }  // namespace geodrop

@@ -110,7 +110,11 @@ struct FluidPressureSpec {
   HydrostaticSpec fluid;
   bool operator==(const FluidPressureSpec&) const = default;
 };
-using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec>;
+/// Velocity or stress of the exact solution that the body follows, see ExactSpec.
+struct FromExactSpec {
+  bool operator==(const FromExactSpec&) const = default;
+};
+using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec, FromExactSpec>;
 
 // --- Initial velocity --------------------------------------------------------------------------
 /// The same velocity everywhere (also what `type = "rest"` becomes).
@@ -125,7 +129,32 @@ struct BarFirstModeSpec {
   double length = 0;     ///< [m]
   bool operator==(const BarFirstModeSpec&) const = default;
 };
-using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec>;
+using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec, FromExactSpec>;
+
+// --- Exact solutions ---------------------------------------------------------------------------
+// What each means stands in exact.hpp.
+struct AxisAlignedMmsSpec {
+  double amplitude = 0;  ///< A [m]
+  double length = 0;     ///< of a wave [m]
+  bool operator==(const AxisAlignedMmsSpec&) const = default;
+};
+struct TaylorGreenSpec {
+  double speed = 0;   ///< U [m/s]
+  double length = 0;  ///< of a wave, two vortices [m]
+  bool operator==(const TaylorGreenSpec&) const = default;
+};
+struct UniformMotionSpec {
+  Point velocity;  ///< [m/s]
+  Point stretch;   ///< present over unstrained length [-]
+  bool operator==(const UniformMotionSpec&) const = default;
+};
+/// A solution that a body follows: what it may start from, is driven by, and can be compared with.
+struct ExactSpec {
+  std::string body;
+  std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec> solution;
+  SourceRef at;
+  bool operator==(const ExactSpec&) const = default;
+};
 
 // --- Bodies, membranes -------------------------------------------------------------------------
 /// Where the mean stress of a body acts from: the cell average (cures locking and noise), each particle, or the nodal
@@ -212,8 +241,14 @@ struct HydrostaticProbeSpec {
   HydrostaticSpec still;
   bool operator==(const HydrostaticProbeSpec&) const = default;
 };
+/// Difference of a body from the exact solution that it follows.
+struct ExactProbeSpec {
+  std::string name;
+  std::string body;
+  bool operator==(const ExactProbeSpec&) const = default;
+};
 struct ProbeSpec {
-  std::variant<TracerSpec, HydrostaticProbeSpec> probe;
+  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec> probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
 };
@@ -261,6 +296,7 @@ struct Scene {
   std::vector<MaterialSpec> materials;
   std::vector<BodySpec> bodies;
   std::vector<MembraneSpec> membranes;
+  std::vector<ExactSpec> exact;
   std::vector<ProbeSpec> probes;
   std::vector<ResultSpec> results;
   std::vector<ExpectSpec> expect;

@@ -112,6 +112,30 @@ void list_pressure_error(Row& row, const std::string& name, const PressureError&
   row.add(name + ".pressure_error_max_Pa", error.max);
 }
 
+/// The columns that the solution tells something about.
+void list_exact_error(Row& row, const std::string& name, const ExactSpec& spec, const ExactError& error) {
+  row.add(name + ".velocity_error_rms_ratio", error.velocity_rms);
+  row.add(name + ".velocity_error_max_ratio", error.velocity_max);
+  if (std::holds_alternative<TaylorGreenSpec>(spec.solution)) {
+    row.add(name + ".kinetic_energy_ratio", error.kinetic_energy);
+    row.add(name + ".pressure_error_rms_ratio", error.pressure_rms);
+    row.add(name + ".node_density_min_ratio", error.density_min);
+    row.add(name + ".node_density_max_ratio", error.density_max);
+    return;
+  }
+  row.add(name + ".displacement_error_rms_m", error.displacement_rms);
+  row.add(name + ".displacement_error_max_m", error.displacement_max);
+  row.add(name + ".strain_error_rms_ratio", error.strain_rms);
+  row.add(name + ".strain_error_max_ratio", error.strain_max);
+  if (!std::holds_alternative<BarFirstModeSpec>(spec.solution)) return;
+  row.add(name + ".mode_energy_ratio", error.mode_energy);
+  row.add(name + ".phase_error_rad", error.phase);
+}
+
+const ExactSpec& find_exact(const Scene& scene, const std::string& body) {
+  return *std::find_if(scene.exact.begin(), scene.exact.end(), [&](const ExactSpec& s) { return s.body == body; });
+}
+
 template <class Named>
 const Named& find_named(const std::vector<Named>& list, const std::string& name) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const Named& item) { return item.name == name; });
@@ -144,6 +168,9 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
       list_tracer(row, tracer->name, state ? find_named(state->tracers, tracer->name) : Tracer<Dim>{});
     if (const auto* probe = std::get_if<HydrostaticProbeSpec>(&spec.probe))
       list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
+    if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
+      list_exact_error(row, probe->name, find_exact(scene, probe->body),
+                       state ? exact_error(scene, *state, find_named(state->bodies, probe->body)) : ExactError{});
   }
   return row;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <geodrop/pipeline.hpp>
 
+#include "../exact/body_force.hpp"
 #include "../grid/cell_pressure.hpp"
 #include "../grid/momentum.hpp"
 #include "../grid/sort_particles.hpp"
@@ -34,6 +35,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool musl = scene.solver.transfer == Transfer::musl;
   const bool membranes = !scene.membranes.empty();
   const SolverSpec solver = scene.solver;
+  const std::vector<DrivenBody> driven = driven_bodies<Dim>(scene);
   std::array<double, Dim> gravity;
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
 
@@ -47,6 +49,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S& s, G& g, const C&) { clear_grid(s, g); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
+  add(!driven.empty(), "body_force",      "initial position, time -> velocity",                       [driven](S& s, G&, const C& c) { apply_body_force(driven, s, c); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });

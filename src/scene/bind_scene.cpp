@@ -77,6 +77,7 @@ Shape bind_shape(const Fields& f) {
 InitialVelocity bind_velocity(const Fields& f, std::size_t dimension) {
   const std::string type = f.text("type");
   if (type == "bar_first_mode") return BarFirstModeSpec{f.real("amplitude"), f.choice<int>("axis"), f.real("length")};
+  if (type == "exact") return FromExactSpec{};
   if (type == "uniform") return UniformVelocitySpec{f.point("value")};
   return UniformVelocitySpec{Point(dimension, 0.0)};
 }
@@ -86,6 +87,7 @@ InitialStress bind_stress(const Fields& f) {
   const HydrostaticSpec still{f.text("fluid"), f.real(type == "k0" ? "fluid_surface" : "surface")};
   if (type == "hydrostatic") return still;
   if (type == "fluid_pressure") return FluidPressureSpec{still};
+  if (type == "exact") return FromExactSpec{};
   if (type != "k0") return ZeroStressSpec{};
   K0StressSpec k0{f.real("surface"), f.real("k0"), std::nullopt};
   if (f.text("under") == "fluid") k0.fluid = still;
@@ -160,7 +162,17 @@ MembraneSpec bind_membrane(const Fields& f, SourceRef at) {
   return membrane;
 }
 
+ExactSpec bind_exact(const Fields& f, SourceRef at) {
+  const std::string type = f.text("type"), body = f.text("body");
+  if (type == "taylor_green") return {body, TaylorGreenSpec{f.real("speed"), f.real("length")}, at};
+  if (type == "uniform_motion") return {body, UniformMotionSpec{f.point("velocity"), f.point("stretch")}, at};
+  if (type == "bar_first_mode")
+    return {body, BarFirstModeSpec{f.real("amplitude"), f.choice<int>("axis"), f.real("length")}, at};
+  return {body, AxisAlignedMmsSpec{f.real("amplitude"), f.real("length")}, at};
+}
+
 ProbeSpec bind_probe(const Fields& f, SourceRef at) {
+  if (f.text("type") == "exact") return {ExactProbeSpec{f.text("name"), f.text("body")}, at};
   if (f.text("type") == "hydrostatic") {
     return {HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}}, at};
   }
@@ -240,6 +252,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   };
   scene.bodies = bind_list(complete, report, "bodies", body);
   scene.membranes = bind_list(complete, report, "membranes", bind_membrane);
+  scene.exact = bind_list(complete, report, "exact", bind_exact);
   scene.probes = bind_list(complete, report, "probes", bind_probe);
   scene.results = bind_list(complete, report, "results", bind_result);
   scene.expect = bind_list(complete, report, "expect", bind_expect);

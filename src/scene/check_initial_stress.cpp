@@ -42,9 +42,10 @@ void check_type(const BodyView& view) {
                     "\"zero\", \"k0\" or \"fluid_pressure\" for a body that is no fluid");
   }
   if (std::holds_alternative<NeoHookeanSpec>(material->model) &&
-      !std::holds_alternative<ZeroStressSpec>(view.body.initial_stress)) {
+      !std::holds_alternative<ZeroStressSpec>(view.body.initial_stress) &&
+      !std::holds_alternative<FromExactSpec>(view.body.initial_stress)) {
     view.report.add(view.stress() + ".type", "a stress without strain" + of,
-                    "\"zero\", as the stress of a neo_hookean material follows from its strain");
+                    "\"zero\" or \"exact\", as the stress of a neo_hookean material follows from its strain");
     return;
   }
   const bool solid_only = std::holds_alternative<K0StressSpec>(view.body.initial_stress) ||
@@ -69,7 +70,8 @@ void check_still_fluid(const BodyView& view) {
 }
 
 void check_gravity(const BodyView& view) {
-  if (std::holds_alternative<ZeroStressSpec>(view.body.initial_stress) || !view.report.healthy("gravity") ||
+  if (std::holds_alternative<ZeroStressSpec>(view.body.initial_stress) ||
+      std::holds_alternative<FromExactSpec>(view.body.initial_stress) || !view.report.healthy("gravity") ||
       !view.report.healthy(view.stress()))
     return;
   const Point& gravity = view.scene.gravity;

@@ -61,6 +61,10 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
     check_fluid(scene, key + ".fluid", still->still.fluid, report);
     return;
   }
+  if (const auto* exact = std::get_if<ExactProbeSpec>(&probe.probe)) {
+    check_reference(key + ".body", exact->body, names_of(scene.bodies), "bodies", report);
+    return;
+  }
   const auto& tracer = std::get<TracerSpec>(probe.probe);
   if (!report.healthy(key) || !report.healthy("grid") || tracer.position.size() != scene.grid.lower.size()) return;
   for (std::size_t a = 0; a < tracer.position.size(); ++a) {

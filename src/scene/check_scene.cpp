@@ -21,6 +21,11 @@ const MaterialSpec* find_material(const Scene& scene, const std::string& name) {
   return find_by_name(scene.materials, name);
 }
 const BodySpec* find_body(const Scene& scene, const std::string& name) { return find_by_name(scene.bodies, name); }
+const ExactSpec* find_exact(const Scene& scene, const std::string& body) {
+  const auto found =
+      std::find_if(scene.exact.begin(), scene.exact.end(), [&](const ExactSpec& exact) { return exact.body == body; });
+  return found == scene.exact.end() ? nullptr : &*found;
+}
 
 bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,
                      const char* kind, Report& report) {
@@ -117,6 +122,7 @@ void check_scene(const Scene& scene, Report& report) {
   check_bodies(scene, report);
   check_initial_stress(scene, report);
   check_geometry(scene, report);
+  check_exact(scene, report);
   check_membranes(scene, report);
   check_measurements(scene, report);
 }

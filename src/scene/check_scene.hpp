@@ -24,6 +24,7 @@ void check_materials(const Scene& scene, Report& report);
 void check_bodies(const Scene& scene, Report& report);
 void check_initial_stress(const Scene& scene, Report& report);
 void check_geometry(const Scene& scene, Report& report);
+void check_exact(const Scene& scene, Report& report);
 void check_membranes(const Scene& scene, Report& report);
 void check_measurements(const Scene& scene, Report& report);
 
@@ -32,6 +33,8 @@ inline constexpr const char* kWholeOwners[] = {"energy", "total"};
 
 const MaterialSpec* find_material(const Scene& scene, const std::string& name);
 const BodySpec* find_body(const Scene& scene, const std::string& name);
+/// The exact solution that a body follows; null if it follows none.
+const ExactSpec* find_exact(const Scene& scene, const std::string& body);
 
 /// The different names of a list of bodies, materials, membranes or results, without empty ones.
 template <class List>

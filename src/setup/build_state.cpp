@@ -1,6 +1,7 @@
 // From the scene to the state at t = 0.
 #include <algorithm>
 #include <cmath>
+#include <geodrop/exact.hpp>
 #include <geodrop/pipeline.hpp>
 #include <geodrop/shapes.hpp>
 #include <numbers>
@@ -39,8 +40,21 @@ void allocate(Body<Dim>& body) {
 }
 
 template <int Dim>
-void set_velocity(const InitialVelocity& initial, Body<Dim>& body) {
-  if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
+void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    Vec<Dim> x;
+    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
+    const ExactPoint<Dim> exact = exact_point<Dim>(solution, x, x, 0);
+    for (int a = 0; a < Dim; ++a) body.v[a][p] = exact.velocity[a];
+    for (int c = 0; c < Dim * Dim; ++c) body.affine[c][p] = exact.velocity_gradient(c / Dim, c % Dim);
+  }
+}
+
+template <int Dim>
+void set_velocity(const Scene& scene, const InitialVelocity& initial, Body<Dim>& body) {
+  if (std::holds_alternative<FromExactSpec>(initial)) {
+    set_exact_velocity(exact_solution<Dim>(scene, body.name), body);
+  } else if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
     for (int a = 0; a < Dim; ++a) body.v[a].assign(body.size(), uniform->value[a]);
   } else if (const auto* bar = std::get_if<BarFirstModeSpec>(&initial)) {
     const double k = std::numbers::pi / (2 * bar->length);
@@ -50,6 +64,30 @@ void set_velocity(const InitialVelocity& initial, Body<Dim>& body) {
       body.affine[bar->axis * Dim + bar->axis][p] = bar->amplitude * k * std::cos(k * x[p]);
     }
   }
+}
+
+/// A body of uniform stretch is filled unstrained: its lattice is stretched with it, so that it is out of step with the
+/// grid. J then holds the present volume [m3], as fill_particles leaves it.
+template <int Dim>
+void fill_stretched(Scene scene, BodySpec spec, const UniformMotion<Dim>& motion, Body<Dim>& body) {
+  auto& box = std::get<BoxShape>(spec.shape);
+  for (int a = 0; a < Dim; ++a)
+    for (Point* corner : {&box.lower, &box.upper, &scene.grid.lower, &scene.grid.upper})
+      (*corner)[a] /= motion.stretch[a];
+  fill_particles(scene, spec, body);
+  for (int a = 0; a < Dim; ++a)
+    for (double& x : body.x[a]) x *= motion.stretch[a];
+  for (double& volume : body.J) volume *= motion.stretch.prod();
+}
+
+template <int Dim>
+void fill(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
+  if (std::holds_alternative<FromExactSpec>(spec.initial_stress)) {
+    const ExactSolution<Dim> solution = exact_solution<Dim>(scene, spec.name);
+    if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
+      return fill_stretched(scene, spec, *motion, body);
+  }
+  fill_particles(scene, spec, body);
 }
 
 template <int Dim>
@@ -62,10 +100,10 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
   body.half_size = 0.5 / spec.particles_per_cell_axis;
-  fill_particles(scene, spec, body);
+  fill(scene, spec, body);
   allocate(body);
   set_initial_stress(scene, spec, body);
-  set_velocity(spec.initial_velocity, body);
+  set_velocity(scene, spec.initial_velocity, body);
   body.initial_x = body.x;
   return body;
 }

@@ -1,7 +1,10 @@
 #include "initial_stress.hpp"
 
 #include <cmath>
+#include <geodrop/exact.hpp>
 #include <stdexcept>
+
+#include "../materials/laws.hpp"
 
 namespace geodrop {
 namespace {
@@ -69,8 +72,43 @@ double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, do
                         still.surface - y);
 }
 
+/// sigma of uniform stretches along the axes, from zero strain: logarithmic for the hypoelastic law.
+template <int Dim>
+void stretch_solid(const UniformMotion<Dim>& motion, Body<Dim>& body, std::size_t p) {
+  const double J = motion.stretch.prod();
+  body.mass[p] = reference_density(body.material) * body.J[p] / J;
+  body.J[p] = J;
+  std::array<double, stress_components<Dim>> stress{};
+  if (const auto* rubber = std::get_if<NeoHookean>(&body.material)) {
+    std::array<double, Dim * Dim> F{};
+    for (int a = 0; a < Dim; ++a) F[a * Dim + a] = body.deformation[a * Dim + a][p] = motion.stretch[a];
+    stress = neo_hookean_stress<Dim, double>(*rubber, F, J);
+  } else {
+    std::array<double, Dim * Dim> strain{};
+    for (int a = 0; a < Dim; ++a) strain[a * Dim + a] = std::log(motion.stretch[a]);
+    update_stress<Dim, double>(std::get<LinearElastic>(body.material), strain, std::log(J), stress);
+  }
+  for (int c = 0; c < stress_components<Dim>; ++c) body.stress[c][p] = stress[c];
+}
+
+template <int Dim>
+void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    Vec<Dim> x;
+    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
+    if (const auto* flow = std::get_if<TaylorGreen>(&solution))
+      set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*flow, x, 0)}, body, p);
+    else if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
+      stretch_solid(*motion, body, p);
+    else
+      set_solid(reference_density(body.material), {}, body, p);  // those that swing begin unstrained
+  }
+}
+
 template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
+  if (std::holds_alternative<FromExactSpec>(spec.initial_stress))
+    return set_exact_stress(exact_solution<Dim>(scene, spec.name), body);
   const double density = reference_density(body.material);
   for (std::size_t p = 0; p < body.size(); ++p) {
     const StressAt at = stress_at(scene, spec.initial_stress, density, body.x[Dim - 1][p]);

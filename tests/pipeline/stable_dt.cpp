@@ -42,6 +42,22 @@ TEST_CASE("dt = C h / (c + v)") {
   CHECK(each.dt() == doctest::Approx(0.25 * 0.2 / 80).epsilon(1e-14));
 }
 
+TEST_CASE("The most strained particle of a neo-Hookean body sets the step") {
+  Case each;
+  const NeoHookean rubber{1000, 2e6, 1e6};
+  Body<2> body = blank_body<2>(rubber, 3);
+  for (int c = 0; c < 4; ++c) body.deformation[c].assign(3, c % 3 == 0 ? 1.0 : 0.0);
+  each.state.bodies = {body};
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / std::sqrt(4e6 / 1000)).epsilon(1e-14));
+  // Stretched by 1.5 along y: rho c^2 = lambda (1 - ln 1.5) + mu (1 + 1.5^2).
+  each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 1.5;
+  const double modulus = 2e6 * (1 - std::log(1.5)) + 1e6 * 3.25;
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / std::sqrt(modulus / 1000)).epsilon(1e-14));
+  // Squeezed to a half: lambda (1 + ln 2) + 2 mu across.
+  each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 0.5;
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / std::sqrt((2e6 * (1 + std::log(2.0)) + 2e6) / 1000)).epsilon(1e-14));
+}
+
 TEST_CASE("The stiffest body sets the step: c^2 = (K + 4/3 G + K_f/n) / rho of an undrained soil") {
   Case each;
   each.state.bodies.push_back(blank_body<2>(MohrCoulomb{2000, 6e6, 3e6, 0, 0.5, 0.8, 0, 0, 40e6}, 1));

@@ -39,6 +39,12 @@ TEST_CASE("The main case has membranes on top of cell pressure") {
                                                     "grid_to_particles", "grid_to_membranes"});
 }
 
+TEST_CASE("A body force is a stage of its own, for manufactured solutions only") {
+  CHECK(stages("cases/verification/mms_axis_aligned.toml") ==
+        Names{"sort_particles", "clear_grid", "body_force", "particles_to_grid", "momentum", "grid_to_particles"});
+  CHECK(stages("cases/verification/taylor_green.toml") == water);
+}
+
 TEST_CASE("Cell pressure is a choice of the body") {
   const Names with_cells = stages("cases/gravity_column.toml", {"bodies.column.pressure=cell"});
   CHECK(std::count(with_cells.begin(), with_cells.end(), "cell_pressure") == 1);

@@ -20,6 +20,7 @@ Scene without_places(Scene scene) {
   clear(scene.materials);
   clear(scene.bodies);
   clear(scene.membranes);
+  clear(scene.exact);
   clear(scene.probes);
   clear(scene.results);
   clear(scene.expect);
@@ -55,7 +56,7 @@ TEST_CASE("numerics as written") {
 
 TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.materials.size() == 5);
+  REQUIRE(scene.materials.size() == 6);
   CHECK(model_of<NewtonianSpec>(scene, "water") == NewtonianSpec{1000, 3.6e6, 1e-3});
   CHECK(model_of<NewtonianSpec>(scene, "oil").bulk_modulus == 1e9);
   CHECK(model_of<LinearElasticSpec>(scene, "steel") == LinearElasticSpec{7800, 2e11, 0.3});
@@ -66,7 +67,7 @@ TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
 
 TEST_CASE("bodies as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.bodies.size() == 5);
+  REQUIRE(scene.bodies.size() == 7);
   const BodySpec &sea = scene.bodies[0], &bed = scene.bodies[1], &bag = scene.bodies[2], &wedge = scene.bodies[3],
                  &bar = scene.bodies[4];
   CHECK(sea.shape == Shape{BoxShape{{0, 2}, {10, 7}}});
@@ -78,7 +79,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 75);
+  CHECK(sea.at.line == 81);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -102,9 +103,16 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].averaging_segments == 2);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
-  REQUIRE(scene.probes.size() == 2);
+  REQUIRE(scene.probes.size() == 3);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
   CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) == HydrostaticProbeSpec{"still", "sea", {"water", 7}});
+  CHECK(std::get<ExactProbeSpec>(scene.probes[2].probe) == ExactProbeSpec{"error", "pad"});
+  REQUIRE(scene.exact.size() == 4);
+  CHECK(scene.exact[0].body == "pad");
+  CHECK(std::get<AxisAlignedMmsSpec>(scene.exact[0].solution) == AxisAlignedMmsSpec{0.05, 1.0});
+  CHECK(std::get<TaylorGreenSpec>(scene.exact[1].solution) == TaylorGreenSpec{1.0, 1.0});
+  CHECK(std::get<UniformMotionSpec>(scene.exact[2].solution) == UniformMotionSpec{{0.0, -1.0}, {1.1, 1.0}});
+  CHECK(std::get<BarFirstModeSpec>(scene.exact[3].solution) == BarFirstModeSpec{0.1, 1, 25.0});
   REQUIRE(scene.results.size() == 10);
   using enum Reduction;
   const std::vector<Reduction> kinds{last,           min,      max, mean, rms, percentile, period, first_time_below,

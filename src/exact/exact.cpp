@@ -1,0 +1,190 @@
+#include <geodrop/exact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace geodrop {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double phase(int axis) { return axis == 1 ? pi : 0.0; }
+
+// --- From the scene ----------------------------------------------------------------------------
+
+template <int Dim>
+ExactSolution<Dim> make(const AxisAlignedMmsSpec& spec, const Material& material) {
+  const auto& solid = std::get<NeoHookean>(material);
+  const double lambda = solid.lame_lambda, mu = solid.shear_modulus;
+  const double youngs_modulus = mu * (3 * lambda + 2 * mu) / (lambda + mu);
+  return AxisAlignedMms{spec.amplitude,
+                        2 * pi / spec.length,
+                        pi / spec.length * std::sqrt(youngs_modulus / solid.density),
+                        solid.density,
+                        lambda,
+                        mu};
+}
+
+template <int Dim>
+ExactSolution<Dim> make(const TaylorGreenSpec& spec, const Material& material) {
+  const auto& fluid = std::get<Newtonian>(material);
+  return TaylorGreen{spec.speed, 2 * pi / spec.length, fluid.viscosity / fluid.density, fluid.density,
+                     fluid.bulk_modulus};
+}
+
+template <int Dim>
+ExactSolution<Dim> make(const UniformMotionSpec& spec, const Material& material) {
+  UniformMotion<Dim> motion;
+  for (int a = 0; a < Dim; ++a) {
+    motion.velocity[a] = spec.velocity[a];
+    motion.stretch[a] = spec.stretch[a];
+  }
+  motion.wave_speed = wave_speed(material);
+  return motion;
+}
+
+template <int Dim>
+ExactSolution<Dim> make(const BarFirstModeSpec& spec, const Material& material) {
+  const double wave_number = pi / (2 * spec.length);
+  return BarFirstMode{spec.amplitude, spec.axis, wave_number, wave_number * wave_speed(material)};
+}
+
+// --- Of one point ------------------------------------------------------------------------------
+
+template <int Dim>
+ExactPoint<Dim> point(const AxisAlignedMms& mms, const Vec<Dim>& X, const Vec<Dim>&, double t) {
+  ExactPoint<Dim> out;
+  const double k = mms.wave_number, omega = mms.frequency;
+  for (int a = 0; a < Dim; ++a) {
+    const double swing = mms.amplitude * std::sin(omega * t + phase(a));
+    const double speed = mms.amplitude * omega * std::cos(omega * t + phase(a));
+    const double stretch = 1 + swing * k * std::cos(k * X[a]);
+    out.displacement[a] = swing * std::sin(k * X[a]);
+    out.velocity[a] = speed * std::sin(k * X[a]);
+    out.velocity_gradient(a, a) = speed * k * std::cos(k * X[a]) / stretch;
+    out.volume_ratio *= stretch;
+  }
+  return out;
+}
+
+template <int Dim>
+ExactPoint<Dim> point(const TaylorGreen& flow, const Vec<Dim>&, const Vec<Dim>& x, double t) {
+  ExactPoint<Dim> out;
+  const double k = flow.wave_number, u = flow.speed * std::exp(-2 * flow.viscosity * k * k * t);
+  const double sx = std::sin(k * x[0]), cx = std::cos(k * x[0]), sy = std::sin(k * x[1]), cy = std::cos(k * x[1]);
+  out.velocity[0] = u * sx * cy;
+  out.velocity[1] = -u * cx * sy;
+  out.velocity_gradient(0, 0) = u * k * cx * cy;
+  out.velocity_gradient(0, 1) = -u * k * sx * sy;
+  out.velocity_gradient(1, 0) = u * k * sx * sy;
+  out.velocity_gradient(1, 1) = -u * k * cx * cy;
+  out.volume_ratio = 1 / (1 + pressure<Dim>(flow, x, t) / flow.bulk_modulus);
+  return out;
+}
+
+template <int Dim>
+ExactPoint<Dim> point(const UniformMotion<Dim>& motion, const Vec<Dim>&, const Vec<Dim>&, double t) {
+  ExactPoint<Dim> out;
+  out.displacement = t * motion.velocity;
+  out.velocity = motion.velocity;
+  out.volume_ratio = motion.stretch.prod();
+  return out;
+}
+
+template <int Dim>
+ExactPoint<Dim> point(const BarFirstMode& bar, const Vec<Dim>& X, const Vec<Dim>&, double t) {
+  ExactPoint<Dim> out;
+  const double k = bar.wave_number, shape = std::sin(k * X[bar.axis]), slope = k * std::cos(k * X[bar.axis]);
+  const double swing = bar.amplitude / bar.frequency * std::sin(bar.frequency * t);
+  const double speed = bar.amplitude * std::cos(bar.frequency * t);
+  out.displacement[bar.axis] = swing * shape;
+  out.velocity[bar.axis] = speed * shape;
+  out.volume_ratio = 1 + swing * slope;
+  out.velocity_gradient(bar.axis, bar.axis) = speed * slope / out.volume_ratio;
+  return out;
+}
+
+}  // namespace
+
+template <int Dim>
+ExactSolution<Dim> make_exact(const ExactSpec& spec, const Material& material) {
+  return std::visit([&](const auto& s) { return make<Dim>(s, material); }, spec.solution);
+}
+
+template <int Dim>
+ExactSolution<Dim> exact_solution(const Scene& scene, const std::string& body) {
+  for (const ExactSpec& spec : scene.exact)
+    for (const BodySpec& owner : scene.bodies)
+      for (const MaterialSpec& material : scene.materials)
+        if (spec.body == body && owner.name == body && owner.material == material.name)
+          return make_exact<Dim>(spec, make_material(material));
+  throw std::logic_error("check_scene let a body without exact solution pass: " + body);
+}
+
+template <int Dim>
+ExactPoint<Dim> exact_point(const ExactSolution<Dim>& solution, const Vec<Dim>& X, const Vec<Dim>& x, double t) {
+  return std::visit([&](const auto& s) { return point<Dim>(s, X, x, t); }, solution);
+}
+
+template <int Dim>
+double pressure(const TaylorGreen& flow, const Vec<Dim>& x, double t) {
+  const double k = flow.wave_number, u = flow.speed * std::exp(-2 * flow.viscosity * k * k * t);
+  return flow.density * u * u / 4 * (std::cos(2 * k * x[0]) + std::cos(2 * k * x[1]));
+}
+
+/// rho0 (u'' - b) = dP/dX along each axis. With F diagonal P_a = mu (F_a - 1/F_a) + lambda ln J / F_a, of which along
+/// axis a only F_a varies, dF_a/dX_a = -k^2 u_a.
+template <int Dim>
+Vec<Dim> body_force(const AxisAlignedMms& mms, const Vec<Dim>& X, double t) {
+  const double k = mms.wave_number, omega = mms.frequency;
+  Vec<Dim> u, stretch;
+  for (int a = 0; a < Dim; ++a) {
+    const double swing = mms.amplitude * std::sin(omega * t + phase(a));
+    u[a] = swing * std::sin(k * X[a]);
+    stretch[a] = 1 + swing * k * std::cos(k * X[a]);
+  }
+  const double log_volume = std::log(stretch.prod());
+  Vec<Dim> force;
+  for (int a = 0; a < Dim; ++a) {
+    const double stiffness =
+        mms.shear_modulus + (mms.shear_modulus + mms.lame_lambda * (1 - log_volume)) / (stretch[a] * stretch[a]);
+    force[a] = u[a] * (k * k * stiffness / mms.density - omega * omega);
+  }
+  return force;
+}
+
+template <int Dim>
+double velocity_scale(const ExactSolution<Dim>& solution, double t) {
+  if (const auto* mms = std::get_if<AxisAlignedMms>(&solution)) return mms->amplitude * mms->frequency;
+  if (const auto* bar = std::get_if<BarFirstMode>(&solution)) return std::abs(bar->amplitude);
+  if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution)) return motion->wave_speed;
+  const auto& flow = std::get<TaylorGreen>(solution);
+  return flow.speed * std::exp(-2 * flow.viscosity * flow.wave_number * flow.wave_number * t) / std::numbers::sqrt2;
+}
+
+template <int Dim>
+double strain_scale(const ExactSolution<Dim>& solution) {
+  double strain = 0;
+  if (const auto* mms = std::get_if<AxisAlignedMms>(&solution)) strain = mms->amplitude * mms->wave_number;
+  if (const auto* bar = std::get_if<BarFirstMode>(&solution))
+    strain = std::abs(bar->amplitude) * bar->wave_number / bar->frequency;
+  if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
+    strain = (motion->stretch.array() - 1).abs().maxCoeff();
+  return strain > 0 ? strain : 1;
+}
+
+#define GEODROP_INSTANTIATE(D)                                                                          \
+  template ExactSolution<D> make_exact<D>(const ExactSpec&, const Material&);                           \
+  template ExactSolution<D> exact_solution<D>(const Scene&, const std::string&);                        \
+  template ExactPoint<D> exact_point<D>(const ExactSolution<D>&, const Vec<D>&, const Vec<D>&, double); \
+  template double pressure<D>(const TaylorGreen&, const Vec<D>&, double);                               \
+  template Vec<D> body_force<D>(const AxisAlignedMms&, const Vec<D>&, double);                          \
+  template double velocity_scale<D>(const ExactSolution<D>&, double);                                   \
+  template double strain_scale<D>(const ExactSolution<D>&);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop
