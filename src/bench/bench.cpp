@@ -196,7 +196,7 @@ int run_bench(const BenchOptions& options) {
   }
   std::optional<Check> check;
   if (options.check) check.emplace(*options.check);
-  const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()});
+  const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()}).wall;
   std::printf("roofs on %d threads: %.1f Gflop/s, %.1f Gbyte/s\n", options.threads, roofs.gflops, roofs.gbytes_s);
   print_head();
   std::vector<Row> rows;

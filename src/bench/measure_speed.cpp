@@ -1,9 +1,10 @@
 #include "measure_speed.hpp"
 
 #include "../grid/sort_particles.hpp"
+#include "stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
 
 namespace geodrop {
 namespace {
@@ -85,13 +86,13 @@ int step_cycles(Subject<Dim>& subject, int cycles) {
 
 /// `run` returns the number of steps that it made.
 template <int Dim, class Run>
-SpeedSample time_steps(Subject<Dim>& subject, Run&& run) {
+SpeedSample time_steps(Subject<Dim>& subject, int threads, Run&& run) {
   for (Stage<Dim>& stage : subject.pipeline) stage.seconds = 0;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch(threads);
   const int steps = run();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double wall = watch.wall_seconds(), judged = watch.judged_seconds();
   const double to_ns = 1e9 / (static_cast<double>(particle_count(subject.state)) * steps);
-  SpeedSample sample{seconds * to_ns, {}};
+  SpeedSample sample{wall * to_ns, judged * to_ns, {}};
   for (const Stage<Dim>& stage : subject.pipeline) sample.stages.push_back({stage.name, stage.seconds * to_ns});
   return sample;
 }
@@ -99,7 +100,7 @@ SpeedSample time_steps(Subject<Dim>& subject, Run&& run) {
 /// `sample` times one stretch; it comes between two samples of the reference kernels.
 template <int Dim, class Sample>
 SpeedMeasurement take_samples(Subject<Dim>& subject, int count, ReferenceKernels& reference, Sample&& sample) {
-  std::vector<MachineRoofs> roofs{reference.sample()};
+  std::vector<ReferenceSample> roofs{reference.sample()};
   std::vector<SpeedSample> samples;
   for (int k = 0; k < count; ++k) {
     samples.push_back(sample(k));
@@ -108,7 +109,9 @@ SpeedMeasurement take_samples(Subject<Dim>& subject, int count, ReferenceKernels
   SpeedMeasurement m = describe(subject);
   std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.ns < b.ns; });
   m.samples = std::move(samples);
-  m.roofs = best_of(roofs);
+  const ReferenceSample best = best_of(roofs);
+  m.roofs = best.wall;
+  m.judged_roofs = best.judged;
   return m;
 }
 
@@ -120,7 +123,7 @@ SpeedMeasurement measure_block_in(const Benchmark& bench, const BlockSize& size,
   step_cycles(subject, 1);
   return take_samples(subject, effort.samples, reference, [&](int k) {
     set_in_motion<Dim>(subject.scene, k % 2 ? 1 : -1, subject.state);
-    return time_steps(subject, [&] { return step_cycles(subject, effort.cycles); });
+    return time_steps(subject, reference.threads(), [&] { return step_cycles(subject, effort.cycles); });
   });
 }
 
@@ -133,11 +136,18 @@ SpeedMeasurement measure_case_in(const Scene& scene, const Effort& effort, Refer
     return steps;
   };
   run(warm_up);
-  return take_samples(subject, effort.samples, reference,
-                      [&](int) { return time_steps(subject, [&] { return run(stretch * effort.cycles); }); });
+  return take_samples(subject, effort.samples, reference, [&](int) {
+    return time_steps(subject, reference.threads(), [&] { return run(stretch * effort.cycles); });
+  });
 }
 
 }  // namespace
+
+double SpeedMeasurement::ratio() const {
+  double best = std::numeric_limits<double>::infinity();
+  for (const SpeedSample& sample : samples) best = std::min(best, sample.judged_ns);
+  return (work.flops / judged_roofs.gflops + work.bytes / judged_roofs.gbytes_s) / best;
+}
 
 void add_stage_names(const SpeedMeasurement& measurement, std::vector<std::string>& names) {
   for (const StageTime& stage : measurement.median().stages)

@@ -12,6 +12,7 @@ namespace geodrop {
 /// One timed stretch of steps; all times in ns per particle-step, wall time of all threads together.
 struct SpeedSample {
   double ns = 0;
+  double judged_ns = 0;           ///< that ratios are made of, see stopwatch.hpp
   std::vector<StageTime> stages;  ///< `seconds` holds ns per particle-step here, too
 };
 
@@ -19,7 +20,7 @@ struct SpeedMeasurement {
   std::size_t particles = 0, nodes = 0, active_blocks = 0;
   double bytes_per_particle = 0;     ///< resident particle data [byte]
   WorkCount work;                    ///< of a particle-step
-  MachineRoofs roofs;                ///< best of the samples taken in turn
+  MachineRoofs roofs, judged_roofs;  ///< best of the samples taken in turn
   std::vector<SpeedSample> samples;  ///< fastest first
 
   const SpeedSample& median() const { return samples[samples.size() / 2]; }
@@ -28,7 +29,7 @@ struct SpeedMeasurement {
   double memory_fraction() const { return work.bytes / roofs.gbytes_s / median().ns; }
   /// Time that the reference kernels need for the same work, arithmetic and memory one after the other, over the time
   /// taken. From the best of each, because disturbances only ever slow down.
-  double ratio() const { return (work.flops / roofs.gflops + work.bytes / roofs.gbytes_s) / samples.front().ns; }
+  double ratio() const;
 };
 
 /// Appends the stages that are not among `names` yet.

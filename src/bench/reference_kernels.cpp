@@ -1,18 +1,14 @@
 #include "reference_kernels.hpp"
 
 #include "../kernels/chunk.hpp"
+#include "stopwatch.hpp"
 
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace geodrop {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Twelve independent chains of fused multiply-adds hide the latency of one.
 constexpr int chains = 12;
@@ -40,29 +36,37 @@ constexpr std::ptrdiff_t triad_size = 1 << 23;  // 64 MiB an array, twice the la
 ReferenceKernels::ReferenceKernels(int threads)
     : threads_(threads), a_(triad_size, 0.0), b_(triad_size, 1.0), c_(triad_size, 2.0) {}
 
-MachineRoofs ReferenceKernels::sample() {
+ReferenceSample ReferenceKernels::sample() {
   constexpr long rounds = 4'000'000;
   constexpr double flops_per_round = chains * 4 * 2;
-  MachineRoofs roofs;
+  ReferenceSample sample;
   double sink = 0;
-  auto start = std::chrono::steady_clock::now();
+  const Stopwatch arithmetic(threads_);
 #pragma omp parallel for num_threads(threads_) reduction(+ : sink)
   for (int t = 0; t < threads_; ++t) sink += multiply_add(rounds + (t & 1));
-  if (sink != 0) roofs.gflops = flops_per_round * rounds * threads_ / seconds_since(start) * 1e-9;
+  const double gflop = sink == 0 ? 0 : 1e-9 * flops_per_round * rounds * threads_;
+  sample.wall.gflops = gflop / arithmetic.wall_seconds();
+  sample.judged.gflops = gflop / arithmetic.judged_seconds();
 
   const std::ptrdiff_t share = triad_size / threads_;
-  start = std::chrono::steady_clock::now();
+  const Stopwatch memory(threads_);
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (int t = 0; t < threads_; ++t) triad(a_.data() + t * share, b_.data() + t * share, c_.data() + t * share, share);
-  roofs.gbytes_s = 3.0 * sizeof(double) * share * threads_ / seconds_since(start) * 1e-9;
-  return roofs;
+  const double gbyte = 1e-9 * 3 * sizeof(double) * static_cast<double>(share) * threads_;
+  sample.wall.gbytes_s = gbyte / memory.wall_seconds();
+  sample.judged.gbytes_s = gbyte / memory.judged_seconds();
+  return sample;
 }
 
-MachineRoofs best_of(const std::vector<MachineRoofs>& samples) {
-  MachineRoofs best;
-  for (const MachineRoofs& roofs : samples) {
-    best.gflops = std::max(best.gflops, roofs.gflops);
-    best.gbytes_s = std::max(best.gbytes_s, roofs.gbytes_s);
+ReferenceSample best_of(const std::vector<ReferenceSample>& samples) {
+  ReferenceSample best;
+  const auto keep_better = [](MachineRoofs& kept, const MachineRoofs& roofs) {
+    kept.gflops = std::max(kept.gflops, roofs.gflops);
+    kept.gbytes_s = std::max(kept.gbytes_s, roofs.gbytes_s);
+  };
+  for (const ReferenceSample& sample : samples) {
+    keep_better(best.wall, sample.wall);
+    keep_better(best.judged, sample.judged);
   }
   return best;
 }
