@@ -197,7 +197,9 @@ struct MembraneSpec {
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
 enum class WallKind { slip, no_slip, periodic };
-enum class Transfer { apic, blend, musl };
+enum class Transfer { tpic, blend, musl };
+/// consistent: two terms of the series for the inverse, see grid/mass_correction.
+enum class MassMatrix { lumped, consistent };
 
 struct GridSpec {
   Point lower, upper;  ///< domain [m]
@@ -210,10 +212,11 @@ struct WallsSpec {
   bool operator==(const WallsSpec&) const = default;
 };
 struct SolverSpec {
-  Transfer transfer = Transfer::apic;
+  Transfer transfer = Transfer::tpic;
   double blend_rate = 0;    ///< lambda [1/s] of Transfer::blend
   double courant = 0.5;     ///< C of dt = C h / (c_eff + |v|max)
   double damping_rate = 0;  ///< mass-proportional damping of particle velocity [1/s]
+  MassMatrix mass_matrix = MassMatrix::lumped;
   bool operator==(const SolverSpec&) const = default;
 };
 struct TimeSpec {

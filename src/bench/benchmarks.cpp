@@ -110,8 +110,8 @@ std::string name_of(BenchMaterial material) {
 
 std::string name_of(Transfer transfer) {
   switch (transfer) {
-    case Transfer::apic:
-      return "apic";
+    case Transfer::tpic:
+      return "tpic";
     case Transfer::blend:
       return "blend";
     case Transfer::musl:
@@ -137,7 +137,7 @@ std::vector<Benchmark> all_benchmarks() {
   for (const int dimension : {2, 3})
     for (const Basis basis : shipped_bases) {
       if (!exists(basis, dimension)) continue;
-      const Transfer plain = basis == Basis::tri3 || basis == Basis::tet4 ? Transfer::musl : Transfer::apic;
+      const Transfer plain = basis == Basis::tri3 || basis == Basis::tet4 ? Transfer::musl : Transfer::tpic;
       const auto add = [&](BenchMaterial material, const std::string& suffix, Transfer transfer,
                            PressureSupport pressure) {
         const std::string name =
@@ -148,7 +148,7 @@ std::vector<Benchmark> all_benchmarks() {
       const PressureSupport average = average_of(basis);
       for (const BenchMaterial material : {BenchMaterial::water, BenchMaterial::soil})
         add(material, "_" + name_of(average), plain, average);
-      if (plain == Transfer::apic) add(BenchMaterial::water, "_blend", Transfer::blend, PressureSupport::particle);
+      if (plain == Transfer::tpic) add(BenchMaterial::water, "_blend", Transfer::blend, PressureSupport::particle);
     }
   return all;
 }
@@ -167,7 +167,7 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size) {
   scene.walls.upper = scene.walls.lower;
   scene.gravity.assign(d, 0.0);
   scene.solver.transfer = bench.transfer;
-  scene.solver.blend_rate = bench.transfer == Transfer::apic ? 0 : 10;
+  scene.solver.blend_rate = bench.transfer == Transfer::tpic ? 0 : 10;
   scene.time.end = 1e3;
   scene.materials.push_back(material_spec(bench.material));
   BodySpec body;

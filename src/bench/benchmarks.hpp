@@ -17,7 +17,7 @@ struct Benchmark {
   int dimension = 2;
   Basis basis = Basis::bspline2;
   BenchMaterial material = BenchMaterial::water;
-  Transfer transfer = Transfer::apic;
+  Transfer transfer = Transfer::tpic;
   PressureSupport pressure = PressureSupport::particle;
 };
 

@@ -43,7 +43,6 @@ LawCost cost_of(BenchMaterial material) {
 struct ProductBasis {
   int support;   ///< nodes per axis
   double shape;  ///< operations of N and its slope along one axis
-  bool moments;  ///< C takes moments of the velocity (APIC), or else its gradient (TPIC)
 
   double weights(int d) const { return d * (7 + support + shape); }  // position, cell, reach 7; slopes over h
 
@@ -56,12 +55,12 @@ struct ProductBasis {
 
   /// Each sum of records is two operations a lane.
   double gather(int d, bool blend) const {
-    const double m = moments ? 1 : 0, change = blend ? 1 : 0;
-    const double node = 2 * lanes * (2 + m + change);
-    const double row = 2 * lanes * (3 + 2 * m + change) + 3 * m;
-    const double plane = 2 * lanes * (3 + 2 * m + change) + (d == 3 ? 2 * lanes * (1 + m) + 3 * m : 0);
+    const double change = blend ? 1 : 0;
+    const double node = 2 * lanes * (2 + change);
+    const double row = 2 * lanes * (3 + change);
+    const double plane = 2 * lanes * (3 + change) + (d == 3 ? 2 * lanes : 0);
     const double planes = d == 2 ? 1 : support;
-    return 3 * m * support + planes * (support * (row + support * node) + plane);
+    return planes * (support * (row + support * node) + plane);
   }
 };
 
@@ -83,11 +82,11 @@ TransferCost simplex_cost(int d, bool blend) {
 TransferCost transfer_cost(Basis basis, int d, bool blend) {
   switch (basis) {
     case Basis::bspline2:
-      return product_cost({3, 9, true}, d, blend);
+      return product_cost({3, 9}, d, blend);
     case Basis::gimp:
-      return product_cost({3, 17, false}, d, blend);
+      return product_cost({3, 17}, d, blend);
     case Basis::linear:
-      return product_cost({2, 1, false}, d, blend);
+      return product_cost({2, 1}, d, blend);
     case Basis::tri3:
     case Basis::tet4:
       return simplex_cost(d, blend);

@@ -24,7 +24,7 @@ struct WorkKind {
   int dimension = 2;
   Basis basis = Basis::bspline2;
   BenchMaterial material = BenchMaterial::water;
-  Transfer transfer = Transfer::apic;
+  Transfer transfer = Transfer::tpic;
   PressureSupport pressure = PressureSupport::particle;
 };
 WorkCount work_of(const WorkKind& kind);

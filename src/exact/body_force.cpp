@@ -1,5 +1,8 @@
 #include "body_force.hpp"
 
+#include "../kernels/kernels.hpp"
+#include "../kernels/slabs.hpp"
+
 namespace geodrop {
 
 template <int Dim>
@@ -14,23 +17,31 @@ std::vector<DrivenBody> driven_bodies(const Scene& scene) {
 }
 
 template <int Dim>
-void apply_body_force(const std::vector<DrivenBody>& driven, State<Dim>& state, const StepContext& step) {
+void body_force_to_grid(const std::vector<DrivenBody>& driven, const State<Dim>& state, Grid<Dim>& grid,
+                        const StepContext& step) {
+  const bool separate = !grid.force.empty();
   for (const DrivenBody& one : driven) {
-    Body<Dim>& body = state.bodies[one.body];
+    const Body<Dim>& body = state.bodies[one.body];
     const auto n = static_cast<std::ptrdiff_t>(body.size());
+    std::array<Array<double>, Dim> force;
+    for (auto& component : force) component.resize(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
       Vec<Dim> X;
       for (int a = 0; a < Dim; ++a) X[a] = body.initial_x[a][body.id[p]];
-      const Vec<Dim> force = body_force<Dim>(one.mms, X, step.t);
-      for (int a = 0; a < Dim; ++a) body.v[a][p] += step.dt * force[a];
+      const Vec<Dim> b = body_force<Dim>(one.mms, X, step.t);
+      for (int a = 0; a < Dim; ++a) force[a][p] = separate ? b[a] : step.dt * b[a];
     }
+    Vec4* const target = separate ? grid.force.data() : grid.sum.data();
+    for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& other, std::size_t begin, std::size_t end) {
+      if (&other == &body) sum_by_mass<Dim>(body, {pointers(force), 0.0}, grid.layout, target, begin, end);
+    });
   }
 }
 
 #define GEODROP_INSTANTIATE(D)                                     \
   template std::vector<DrivenBody> driven_bodies<D>(const Scene&); \
-  template void apply_body_force<D>(const std::vector<DrivenBody>&, State<D>&, const StepContext&);
+  template void body_force_to_grid<D>(const std::vector<DrivenBody>&, const State<D>&, Grid<D>&, const StepContext&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

@@ -16,9 +16,10 @@ struct DrivenBody {
 template <int Dim>
 std::vector<DrivenBody> driven_bodies(const Scene& scene);
 
-/// v_p += dt b(X_p, t_n). Particles are kicked before they give their momentum to the grid, so that grid and particles
-/// gain sum m_p b dt to round-off, together with the stresses at t_n: the leapfrog of the scheme stays of second order.
+/// Adds sum_p N m b(X_p, t_n) to the force of the nodes, as a Galerkin method does: it passes through the same weights
+/// as the stresses at t_n, and the leapfrog of the scheme stays of second order.
 template <int Dim>
-void apply_body_force(const std::vector<DrivenBody>& driven, State<Dim>& state, const StepContext& step);
+void body_force_to_grid(const std::vector<DrivenBody>& driven, const State<Dim>& state, Grid<Dim>& grid,
+                        const StepContext& step);
 
 }  // namespace geodrop

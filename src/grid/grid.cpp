@@ -117,10 +117,12 @@ Grid<Dim> make_grid(const Scene& scene) {
   grid.sum.assign(n, zero);
   grid.velocity.assign(n, zero);
   const auto any_body = [&](auto has) { return std::any_of(scene.bodies.begin(), scene.bodies.end(), has); };
-  const bool change = scene.solver.transfer != Transfer::apic;
+  const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
+  const bool change = scene.solver.transfer != Transfer::tpic || consistent;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
   if (change || (Dim == 3 && shift)) grid.force.assign(n, zero);
   if (change) grid.velocity_change.assign(n, zero);
+  if (consistent) grid.mass_correction.assign(n, zero);
   if (shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; })) {
     grid.cell_volume.assign(n, 0.0);
     grid.cell_pressure.assign(n, 0.0);

@@ -170,6 +170,12 @@ void fold_walls(const State<Dim>& state, Grid<Dim>& grid) {
 }
 
 template <int Dim>
+void impose_wall_velocity(const State<Dim>& state, Grid<Dim>& grid) {
+  impose_walls(state, grid.layout, grid.velocity);
+  impose_walls(state, grid.layout, grid.velocity_change);
+}
+
+template <int Dim>
 void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt) {
   MomentumStep step{{}, dt};
   for (int a = 0; a < Dim; ++a) step.gravity[a] = dt * gravity[a];
@@ -183,13 +189,7 @@ void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<
                                });
   for (const auto& block : left_over)
     for (const auto& [flat, impulse] : block) share_left_over(grid, flat, impulse);
-  impose_walls(state, grid.layout, grid.velocity);
-  impose_walls(state, grid.layout, grid.velocity_change);
-}
-
-template <int Dim>
-void impose_wall_velocity(const State<Dim>& state, Grid<Dim>& grid) {
-  impose_walls(state, grid.layout, grid.velocity);
+  impose_wall_velocity(state, grid);
 }
 
 #define GEODROP_INSTANTIATE(D)                                      \

@@ -14,7 +14,7 @@ void fold_walls(const State<Dim>& state, Grid<Dim>& grid);
 
 /// v' = v + dt (f / m + g) with the cell pressure's force added; zero normal (no-slip: whole) velocity on walls; mirror
 /// images in the ghost layer. Nodes with less mass than Grid::light_mass take only the part m / light_mass of their
-/// impulse (with APIC, where stresses joined the momentum: of the cell pressure's impulse) and hand the rest, as one
+/// impulse (with TPIC, where stresses joined the momentum: of the cell pressure's impulse) and hand the rest, as one
 /// rigid velocity increment, to the nodes of their neighbourhood: momentum is kept to round-off (flux redistribution,
 /// Chern & Colella 1987).
 template <int Dim>

@@ -24,8 +24,6 @@ struct Bspline2 {
   static constexpr Basis name = Basis::bspline2;
   static constexpr int support = 3;
   static constexpr double to_base = 0.5;
-  /// APIC: C = inertia_inverse / h^2 sum N v (x_i - x_p)^T; the inertia of the weights is h^2 / 4 at every r.
-  static constexpr double inertia_inverse = 4;
 
   static ThreeWeights at(double r, double) {
     const double left = 0.5 - r, right = 0.5 + r;
@@ -35,12 +33,10 @@ struct Bspline2 {
 
 /// uGIMP (Bardenhagen & Kober 2004): the hat function averaged over a particle domain of fixed half width l <= 1/2 [h],
 /// base = nearest node. l = 1/2 is the quadratic B-spline, l -> 0 the hat function.
-/// The inertia of its weights depends on r, so C = grad v (TPIC, Nakamura et al. 2023).
 struct Gimp {
   static constexpr Basis name = Basis::gimp;
   static constexpr int support = 3;
   static constexpr double to_base = 0.5;
-  static constexpr double inertia_inverse = 0;
 
   static ThreeWeights at(double r, double l) {
     const double inside = r < -l ? -l : (r > l ? l : r), beyond = r - inside;
@@ -52,21 +48,18 @@ struct Gimp {
   }
 };
 
-/// Hat functions of the cell that holds the particle: base = its lower node, r in [0, 1). C = grad v as for GIMP.
+/// Hat functions of the cell that holds the particle: base = its lower node, r in [0, 1).
 struct Linear {
   static constexpr Basis name = Basis::linear;
   static constexpr int support = 2;
   static constexpr double to_base = 0;
-  static constexpr double inertia_inverse = 0;
 
   static TwoWeights at(double r, double) { return {1 - r, r, -1, 1}; }
 };
 
 /// Linear simplices, the paper's element: cells split regularly along their main diagonal into two triangles (tri3) or
 /// six tetrahedra (tet4). Not a product over the axes: see simplex.hpp.
-struct Simplex {
-  static constexpr double inertia_inverse = 0;
-};
+struct Simplex {};
 
 /// Simplices have no affine transfer: a particle would repeat the velocity of its element exactly, and nothing would
 /// damp nearly empty nodes (the jittered column blew up after 139 steps). They have MUSL only.

@@ -21,6 +21,14 @@ namespace geodrop {
 
 inline constexpr int chunk_size = 64;
 
+/// Where the components of a field of particles, from particle p on, are stored.
+template <std::size_t Dim>
+std::array<const double*, Dim> pointers(const std::array<Array<double>, Dim>& field, std::size_t p = 0) {
+  std::array<const double*, Dim> out;
+  for (std::size_t a = 0; a < Dim; ++a) out[a] = field[a].data() + p;
+  return out;
+}
+
 /// Weights of a chunk. `first` is the flat index of the lowest node of the support, `reach` its distance from the
 /// particle.
 template <int Dim, class Basis>

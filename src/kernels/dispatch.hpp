@@ -18,8 +18,8 @@ template <int Dim, class Basis>
 Maxima gather_dispatch(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                        std::size_t end) {
   if constexpr (has_affine<Basis>) {
-    if (options.transfer == Transfer::apic)
-      return gather_range<Dim, Basis, Transfer::apic>(body, grid, options, begin, end);
+    if (options.transfer == Transfer::tpic)
+      return gather_range<Dim, Basis, Transfer::tpic>(body, grid, options, begin, end);
     if (options.transfer == Transfer::blend)
       return gather_range<Dim, Basis, Transfer::blend>(body, grid, options, begin, end);
   }

@@ -1,7 +1,7 @@
 // Grid to particles: velocity, affine rate, position, volume and stress.
 //
-//   v_p = a (v_p + sum N (v' - v)) + (1 - a) sum N v',  a = exp(-lambda dt)   (a = 0: APIC)
-//   C_p = 4/h^2 sum N v' (x_i - x_p)^T (other bases: C_p = L),  x_p += dt sum N v',  L = sum v' (grad N)^T
+//   v_p = a (v_p + sum N (v' - v)) + (1 - a) sum N v',  a = exp(-lambda dt)   (a = 0: TPIC)
+//   C_p = L,  L = sum v' (grad N)^T,  x_p += dt sum N v'       (TPIC, Nakamura et al. 2023)
 //   J  *= 1 + dt D,  D = D_c in filled cells, tr L elsewhere                  design.md section 2, steps 4 and 5
 #pragma once
 
@@ -16,51 +16,39 @@ struct GatherOptions {
   double damping;  ///< factor on the new velocity, exp(-beta dt) [-]
 };
 
-/// APIC takes C from moments of the velocity; bases without a constant inertia take the gradient (TPIC).
-template <class Basis>
-inline constexpr bool has_moments = Basis::inertia_inverse > 0;
-
 /// Sums over the support of one particle; lanes as in Grid::velocity.
 template <int Dim>
 struct GatherSums {
   Vec4 value{};          ///< sum N u
   Vec4 change{};         ///< sum N (v' - v)
-  Vec4 moment[Dim]{};    ///< sum N u (x_i - x_p)_a; only with has_moments
   Vec4 gradient[Dim]{};  ///< sum u dN/dx_a
 };
 
 template <int Dim, class Basis, bool Blend>
 GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int k) {
   GatherSums<Dim> s;
-  const double h = grid.layout.h;
   const Vec4* const velocity0 = grid.velocity.data() + weights.first[k];
   const Vec4* const change0 = Blend ? grid.velocity_change.data() + weights.first[k] : nullptr;
-  double wx[Basis::support], gx[Basis::support], mx[Basis::support];
+  double wx[Basis::support], gx[Basis::support];
   for (int i = 0; i < Basis::support; ++i) {
     wx[i] = weights.w[0][i][k];
     gx[i] = weights.g[0][i][k];
-    mx[i] = wx[i] * (weights.reach[0][k] + i * h);
   }
   for (int z = 0; z < (Dim == 3 ? Basis::support : 1); ++z) {
-    Vec4 plane{}, plane_change{}, plane_mx{}, plane_gx{}, plane_my{}, plane_gy{};
+    Vec4 plane{}, plane_change{}, plane_gx{}, plane_gy{};
     for (int y = 0; y < Basis::support; ++y) {
       const int offset = y * grid.layout.stride[1] + (Dim == 3 ? z * grid.layout.stride[Dim - 1] : 0);
-      Vec4 row{}, row_change{}, row_mx{}, row_gx{};
+      Vec4 row{}, row_change{}, row_gx{};
       for (int i = 0; i < Basis::support; ++i) {
         const Vec4 u = velocity0[offset + i];
         row += wx[i] * u;
         row_gx += gx[i] * u;
-        if constexpr (has_moments<Basis>) row_mx += mx[i] * u;
         if constexpr (Blend) row_change += wx[i] * change0[offset + i];
       }
       const double wy = weights.w[1][y][k];
       plane += wy * row;
       plane_gx += wy * row_gx;
       plane_gy += weights.g[1][y][k] * row;
-      if constexpr (has_moments<Basis>) {
-        plane_mx += wy * row_mx;
-        plane_my += wy * (weights.reach[1][k] + y * h) * row;
-      }
       if constexpr (Blend) plane_change += wy * row_change;
     }
     const double wz = Dim == 3 ? weights.w[Dim - 1][z][k] : 1.0;
@@ -69,24 +57,18 @@ GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis
     s.gradient[1] += wz * plane_gy;
     if constexpr (Dim == 3) s.gradient[2] += weights.g[2][z][k] * plane;
     if constexpr (Blend) s.change += wz * plane_change;
-    if constexpr (has_moments<Basis>) {
-      s.moment[0] += wz * plane_mx;
-      s.moment[1] += wz * plane_my;
-      if constexpr (Dim == 3) s.moment[2] += wz * (weights.reach[2][k] + z * h) * plane;
-    }
   }
   return s;
 }
 
-/// Spreads the sums of particle p = k of the chunk over the arrays of the chunk and of the body; C = affine_scale times
-/// the moments if the basis has them, else times grad v.
-template <int Dim, class Basis, Transfer transfer>
-void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, double affine_scale, double dt, bool shift, std::size_t p,
+/// Spreads the sums of particle p = k of the chunk over the arrays of the chunk and of the body.
+template <int Dim, Transfer transfer>
+void store_sums(Body<Dim>& body, const GatherSums<Dim>& s, const GatherOptions& options, bool shift, std::size_t p,
                 int k, ChunkRates<Dim>& rates) {
   double trace = 0;
   for (int b = 0; b < Dim; ++b) {
-    const Vec4 affine = affine_scale * (has_moments<Basis> ? s.moment[b] : s.gradient[b]);
-    const Vec4 increment = dt * s.gradient[b];
+    const Vec4 affine = options.damping * s.gradient[b];
+    const Vec4 increment = options.dt * s.gradient[b];
     trace += increment[b];
     for (int a = 0; a < Dim; ++a) {
       if constexpr (transfer != Transfer::musl) body.affine[a * Dim + b][p] = affine[a];

@@ -31,9 +31,17 @@ template <int Dim, class Basis>
 void update_velocity(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                      std::size_t end);
 
-/// MUSL: momentum of particles [begin, end) back to the grid.
+/// What particles give to the nodes by their mass: m u in the first lanes, m unit_mass in lane 3.
+template <int Dim>
+struct ByMass {
+  std::array<const double*, Dim> u;
+  double unit_mass;
+};
+
+/// Adds N m (u, unit_mass) of particles [begin, end) to the records `sum` of the nodes.
 template <int Dim, class Basis>
-void sum_momentum(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end);
+void sum_by_mass(const Body<Dim>& body, const ByMass<Dim>& what, const GridLayout<Dim>& layout, Vec4* sum,
+                 std::size_t begin, std::size_t end);
 
 /// Calls f(basis policy) for the basis of the grid: one switch per range of particles.
 template <class F>
@@ -72,8 +80,9 @@ void update_velocity(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions
 }
 
 template <int Dim>
-void sum_momentum(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
-  with_basis(grid.layout.basis, [&](auto basis) { sum_momentum<Dim, decltype(basis)>(body, grid, begin, end); });
+void sum_by_mass(const Body<Dim>& body, const ByMass<Dim>& what, const GridLayout<Dim>& layout, Vec4* sum,
+                 std::size_t begin, std::size_t end) {
+  with_basis(layout.basis, [&](auto basis) { sum_by_mass<Dim, decltype(basis)>(body, what, layout, sum, begin, end); });
 }
 
 }  // namespace geodrop

@@ -22,8 +22,9 @@ GEODROP_KERNEL void update_velocity<2, Linear>(Body<2>& body, const Grid<2>& gri
 }
 
 template <>
-GEODROP_KERNEL void sum_momentum<2, Linear>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_momentum_range<2, Linear>(body, grid, begin, end);
+GEODROP_KERNEL void sum_by_mass<2, Linear>(const Body<2>& body, const ByMass<2>& what, const GridLayout<2>& layout,
+                                           Vec4* sum, std::size_t begin, std::size_t end) {
+  sum_by_mass_range<2, Linear>(body, what, layout, sum, begin, end);
 }
 
 }  // namespace geodrop

@@ -22,8 +22,9 @@ GEODROP_KERNEL void update_velocity<3, Bspline2>(Body<3>& body, const Grid<3>& g
 }
 
 template <>
-GEODROP_KERNEL void sum_momentum<3, Bspline2>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
-  sum_momentum_range<3, Bspline2>(body, grid, begin, end);
+GEODROP_KERNEL void sum_by_mass<3, Bspline2>(const Body<3>& body, const ByMass<3>& what, const GridLayout<3>& layout,
+                                             Vec4* sum, std::size_t begin, std::size_t end) {
+  sum_by_mass_range<3, Bspline2>(body, what, layout, sum, begin, end);
 }
 
 }  // namespace geodrop

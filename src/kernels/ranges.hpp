@@ -15,13 +15,14 @@ GatherSums<Dim> sums_of(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& w
     return gather_sums<Dim, Basis, change>(grid, weights, k);
 }
 
-/// Adds the record of one particle to the nodes of its support.
+/// Adds the record of one particle to the nodes of its support; `force` is used with Separate only.
 template <int Dim, class Basis, bool Separate>
-void add_particle(const ScatterRecord<Dim>& record, Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int k) {
+void add_particle(const ScatterRecord<Dim>& record, const GridLayout<Dim>& layout,
+                  const ChunkWeights<Dim, Basis>& weights, int k, Vec4* sum, Vec4* force) {
   if constexpr (std::is_same_v<Basis, Simplex>)
-    scatter_simplex<Dim, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+    scatter_simplex<Dim, Separate>(record, layout, weights, k, sum, force);
   else
-    scatter_particle<Dim, Basis, Separate>(record, grid.layout, weights, k, grid.sum.data(), grid.force.data());
+    scatter_particle<Dim, Basis, Separate>(record, layout, weights, k, sum, force);
 }
 
 /// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
@@ -32,7 +33,7 @@ void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_
   alignas(64) double own[chunk_size];
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
+    compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     own_pressure<Dim, Basis>(body, grid, weights, count, own);
     carry_stress<Dim>(body, p, count, own, stress);
     if constexpr (std::is_same_v<Basis, Simplex>)
@@ -41,8 +42,8 @@ void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_
       for (const int c : acting_components<Dim>)
         for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
     for (int k = 0; k < count; ++k)
-      add_particle<Dim, Basis, Separate>(make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h), grid,
-                                         weights, k);
+      add_particle<Dim, Basis, Separate>(make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h),
+                                         grid.layout, weights, k, grid.sum.data(), grid.force.data());
   }
 }
 
@@ -66,20 +67,13 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
   ChunkRates<Dim> rates;
   alignas(64) double old_x[Dim][chunk_size];
   Maxima maxima;
-  const double affine_scale =
-      options.damping * (has_moments<Basis> ? Basis::inertia_inverse * grid.layout.inv_h * grid.layout.inv_h : 1.0);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    std::array<const double*, Dim> x;
-    for (int a = 0; a < Dim; ++a) {
-      x[a] = body.x[a].data() + p;
-      std::copy_n(x[a], count, old_x[a]);
-    }
-    compute_weights(grid.layout, x, body.half_size, count, weights);
+    for (int a = 0; a < Dim; ++a) std::copy_n(body.x[a].data() + p, count, old_x[a]);
+    compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
       const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
-      store_sums<Dim, Basis, transfer>(body, sums_of<Dim, Basis, transfer>(grid, weights, k), affine_scale, options.dt,
-                                       shift, p + k, k, rates);
+      store_sums<Dim, transfer>(body, sums_of<Dim, Basis, transfer>(grid, weights, k), options, shift, p + k, k, rates);
     }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);

@@ -16,7 +16,7 @@ void update_velocity_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherO
   const double keep = options.keep, damping = options.damping;
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
+    compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
       const GatherSums<Dim> s = sums_of<Dim, Basis, Transfer::blend>(grid, weights, k);
       for (int a = 0; a < Dim; ++a) {
@@ -27,21 +27,20 @@ void update_velocity_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherO
   }
 }
 
-/// Adds N m v and N m.
+/// Adds N m (u, 1): the vector u of each particle and, in lane 3, unit_mass.
 template <int Dim, class Basis>
-void sum_momentum_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
+void sum_by_mass_range(const Body<Dim>& body, const ByMass<Dim>& what, const GridLayout<Dim>& layout, Vec4* sum,
+                       std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
+    compute_weights(layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
       const double m = body.mass[p + k];
-      Vec4 momentum{};
-      for (int a = 0; a < Dim; ++a) momentum[a] = m * body.v[a][p + k];
-      momentum[3] = m;
       ScatterRecord<Dim> record{};
-      record.value = momentum;
-      add_particle<Dim, Basis, false>(record, grid, weights, k);
+      for (int a = 0; a < Dim; ++a) record.value[a] = m * what.u[a][p + k];
+      record.value[3] = m * what.unit_mass;
+      add_particle<Dim, Basis, false>(record, layout, weights, k, sum, nullptr);
     }
   }
 }

@@ -1,6 +1,6 @@
 // Particles to grid: mass, affine momentum and the force of particle stresses.
 //
-//   sum_i   += N_ip (m v + m C (x_i - x_p)),  N_ip m           APIC (Jiang et al. 2015, eq. 8-9), inertia 4/h^2
+//   sum_i   += N_ip (m v + m C (x_i - x_p)),  N_ip m           affine, as APIC (Jiang et al. 2015, eq. 8-9)
 //   force_i -= V_p sigma_p grad N_ip                           Hamad & Moormann eq. 8
 //
 // Where the body's pressure acts from a filled cell, sigma_p is the deviator only; grid/momentum adds P_c.

@@ -82,13 +82,6 @@ void take_nodal_rates(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& w
   for (int k = 0; k < count; ++k) rates.volume[k] *= dt;
 }
 
-template <int Dim>
-std::array<const double*, Dim> positions(const Body<Dim>& body, std::size_t p) {
-  std::array<const double*, Dim> x;
-  for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data() + p;
-  return x;
-}
-
 /// node_volume += N V, node_pressure += N V p for particles [begin, end).
 template <int Dim>
 void sum_nodal_pressure_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
@@ -96,7 +89,7 @@ void sum_nodal_pressure_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_
   alignas(64) double volume[chunk_size], pressure[chunk_size];
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
+    compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     chunk_volumes<Dim>(body, p, count, volume, pressure);
     for (int k = 0; k < count; ++k)
       for (int n = 0; n <= Dim; ++n) {
@@ -114,7 +107,7 @@ void sum_nodal_rate_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t be
   const double inv_rho = 1 / reference_density(body.material);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
-    compute_weights(grid.layout, positions(body, p), body.half_size, count, weights);
+    compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
       const GatherSums<Dim> s = gather_simplex<Dim, false>(grid, weights, k);
       double expansion = body.mass[p + k] * inv_rho * body.J[p + k];

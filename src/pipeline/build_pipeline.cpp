@@ -5,6 +5,7 @@
 
 #include "../exact/body_force.hpp"
 #include "../grid/cell_pressure.hpp"
+#include "../grid/mass_correction.hpp"
 #include "../grid/momentum.hpp"
 #include "../grid/sort_particles.hpp"
 #include "../kernels/transfer_stages.hpp"
@@ -33,6 +34,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool cell_pressure = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
   const bool nodal_pressure = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::nodal; });
   const bool musl = scene.solver.transfer == Transfer::musl;
+  const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
   const bool membranes = !scene.membranes.empty();
   const SolverSpec solver = scene.solver;
   const std::vector<DrivenBody> driven = driven_bodies<Dim>(scene);
@@ -49,10 +51,11 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S& s, G& g, const C&) { clear_grid(s, g); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
-  add(!driven.empty(), "body_force",      "initial position, time -> velocity",                       [driven](S& s, G&, const C& c) { apply_body_force(driven, s, c); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
+  add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });
+  add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S& s, G& g, const C&) { correct_mass(s, g); });
   add(musl,          "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
   add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { average_nodal_rate(s, g); });

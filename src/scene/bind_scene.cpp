@@ -214,6 +214,7 @@ void bind_numerics(const Fields& root, Scene& scene) {
   scene.walls.upper = along_axes("right", "back", "top");
   scene.solver.transfer = solver.choice<Transfer>("transfer");
   scene.solver.blend_rate = solver.real("blend_rate");
+  scene.solver.mass_matrix = solver.choice<MassMatrix>("mass_matrix");
   scene.solver.courant = solver.real("courant");
   scene.solver.damping_rate = solver.real("damping_rate");
   scene.time.end = root.sub("time").real("end");

@@ -60,6 +60,9 @@ void check_transfer(const Scene& scene, Report& report) {
   const Basis basis = scene.grid.basis;
   if ((basis == Basis::tri3 || basis == Basis::tet4) && scene.solver.transfer != Transfer::musl)
     report.add("solver.transfer", "an affine transfer on simplices, where it is unstable", "\"musl\"");
+  if (scene.solver.mass_matrix == MassMatrix::consistent && basis != Basis::bspline2 && basis != Basis::linear)
+    report.add("solver.mass_matrix", "\"consistent\" on a basis whose lumping has no constant stencil",
+               "\"lumped\", or grid.basis = \"bspline2\" or \"linear\"");
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ void check_transfer(const Scene& scene, Report& report) {
 void check_grid(const Scene& scene, Report& report) {
   if (!report.healthy("grid")) return;
   constexpr double kMostCells = 2e8;
-  constexpr double kBytesPerCell = 153;  // of the arrays in grid.hpp, all of them in use
+  constexpr double kBytesPerCell = 185;  // of the arrays in grid.hpp, all of them in use
   const GridSpec& grid = scene.grid;
   double cells = 1;
   for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) {

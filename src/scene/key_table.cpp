@@ -101,8 +101,9 @@ constexpr Key keys[] = {
     {"walls", "bottom", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y (3D: z); never lets go"},
     {"walls", "top", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y (3D: z); never lets go"},
 
-    {"solver", "transfer", choice, "", "", required, words("apic|blend|musl"), "apic: particle velocity from the grid, affine; blend: keeps part of the particle's own; musl: like blend without the affine part, strains from the particles' new velocity (the only one on tri3, tet4)"},
+    {"solver", "transfer", choice, "", "", required, words("tpic|blend|musl"), "tpic: particle velocity and its gradient from the grid; blend: tpic that keeps part of the particle's own velocity; musl: like blend without the gradient, strains from the particles' new velocity (the only one on tri3, tet4)"},
     {"solver", "blend_rate", real, "1/s", "transfer=blend|musl", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)"},
+    {"solver", "mass_matrix", choice, "", "", standard("\"lumped\""), words("lumped|consistent"), "lumped: nodes move by their own mass; consistent: corrected for lumping, which lowers the frequency of waves by about (k h)^2 / 8 (bspline2 and linear only)"},
     {"solver", "courant", real, "", "", standard("0.5"), courant_range, "C in dt = C h / (c + v)"},
     {"solver", "damping_rate", real, "1/s", "", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"},
 

@@ -173,6 +173,9 @@ State<Dim> build_state(const Scene& scene) {
   State<Dim> state;
   state.drift = -1;  // sort before the first step
   for (const BodySpec& spec : scene.bodies) state.bodies.push_back(build_body<Dim>(scene, spec));
+  if (scene.solver.transfer == Transfer::musl)  // it knows no gradients, and never renews them
+    for (Body<Dim>& body : state.bodies)
+      for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
   for (const MembraneSpec& spec : scene.membranes) state.membranes.push_back(build_membrane<Dim>(scene, spec));
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);

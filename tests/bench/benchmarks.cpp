@@ -38,7 +38,7 @@ Moved move_block(const Benchmark& bench) {
 
 WorkCount work(int dimension, Basis basis, BenchMaterial material = BenchMaterial::water,
                PressureSupport pressure = PressureSupport::particle) {
-  return work_of({dimension, basis, material, Transfer::apic, pressure});
+  return work_of({dimension, basis, material, Transfer::tpic, pressure});
 }
 
 }  // namespace

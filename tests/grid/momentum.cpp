@@ -65,9 +65,9 @@ double momentum_error(Transfer transfer) {
 }  // namespace
 
 TEST_CASE("Momentum is kept to round-off, light nodes and cell pressure included") {
-  CHECK(momentum_error<2>(Transfer::apic) < 1e-13);
+  CHECK(momentum_error<2>(Transfer::tpic) < 1e-13);
   CHECK(momentum_error<2>(Transfer::blend) < 1e-13);
-  CHECK(momentum_error<3>(Transfer::apic) < 1e-13);
+  CHECK(momentum_error<3>(Transfer::tpic) < 1e-13);
   CHECK(momentum_error<3>(Transfer::blend) < 1e-13);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("On a slip wall the normal velocity is zero and the tangential one is 
 }
 
 TEST_CASE("On a no-slip wall all velocity is zero; ghosts move the other way") {
-  Nodes<2> nodes(6, 0, WallKind::no_slip, Transfer::apic);
+  Nodes<2> nodes(6, 0, WallKind::no_slip, Transfer::tpic);
   nodes.gravity = {0.3, -9};
   nodes.update();
   const auto& v = nodes.grid.velocity;

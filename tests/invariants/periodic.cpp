@@ -83,7 +83,7 @@ void check_across(const std::vector<std::string>& overrides) {
 }
 
 /// Without shifting, which moves particles without a force, momentum is kept.
-const std::vector<std::string> apic{"bodies.water.shift=false"};
+const std::vector<std::string> tpic{"bodies.water.shift=false"};
 const std::vector<std::string> blend{"bodies.water.shift=false", "solver.transfer=blend", "solver.blend_rate=5"};
 
 void check_momentum(const std::vector<std::string>& overrides) {
@@ -104,12 +104,12 @@ void check_momentum(const std::vector<std::string>& overrides) {
 
 }  // namespace
 
-TEST_CASE("A block on periodic seams moves as it does in the middle (APIC, cell pressure, shift)") { check_across({}); }
+TEST_CASE("A block on periodic seams moves as it does in the middle (TPIC, cell pressure, shift)") { check_across({}); }
 
 TEST_CASE("A block on periodic seams moves as it does in the middle (blend)") { check_across(blend); }
 
 TEST_CASE("After three domain lengths momentum and mass are those of the start, and all particles are inside") {
-  check_momentum(apic);
+  check_momentum(tpic);
   check_momentum(blend);
 }
 

@@ -84,7 +84,7 @@ void check_linear_field() {
       for (int b = 0; b < Dim; ++b) box.grid.velocity[flat][a] += L(a, b) * i[b] * h;
   });
   const Body<Dim> before = box.body;
-  constexpr Transfer transfer = has_affine<Policy> ? Transfer::apic : Transfer::musl;
+  constexpr Transfer transfer = has_affine<Policy> ? Transfer::tpic : Transfer::musl;
   const GatherOptions options{transfer, dt, 0, 1};
   if (transfer == Transfer::musl) update_velocity<Dim>(box.body, box.grid, options, 0, before.size());
   gather<Dim>(box.body, box.grid, options, 0, before.size());

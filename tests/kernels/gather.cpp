@@ -41,7 +41,7 @@ struct LinearField {
 template <int Dim>
 double linear_field_error(const LinearField<Dim>& field, Grid<Dim>& grid, Body<Dim> body) {
   const Body<Dim> before = body;
-  gather<Dim>(body, grid, {Transfer::apic, dt, 0, 1}, 0, body.size());
+  gather<Dim>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, body.size());
   double worst = 0;
   for (std::size_t p = 0; p < body.size(); ++p) {
     Vec<Dim> x;
@@ -178,7 +178,7 @@ TEST_CASE("In filled cells a body with cell pressure changes volume with its cel
     Body<2> body = blank_body<2>(Newtonian{1000, 2e6, 0}, 2);
     body.pressure = support;
     body.x = {Array<double>{1.1, 3.1}, Array<double>{2, 2}};
-    gather<2>(body, grid, {Transfer::apic, dt, 0, 1}, 0, 2);
+    gather<2>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 2);
     CHECK(body.J[0] == doctest::Approx(support == PressureSupport::cell ? 1.03 : own).epsilon(1e-13));
     CHECK(body.J[1] == doctest::Approx(own).epsilon(1e-13));
   }
@@ -199,7 +199,7 @@ TEST_CASE("Water shifts down the gradient of the fill ratio by h dt (|v| + v0), 
   body.shift = true;
   body.shift_speed = 0.5;
   body.x = {Array<double>{0.6, 3.0}, Array<double>{2, 2}};
-  gather<2>(body, grid, {Transfer::apic, dt, 0, 1}, 0, 2);
+  gather<2>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 2);
   const double step = -h * dt * (std::hypot(3, 4 + 2 * 0.6) + 0.5) * slope;
   CHECK(body.x[0][0] == doctest::Approx(0.6 + 3 * dt + step).epsilon(1e-13));
   CHECK(body.v[1][0] == doctest::Approx(4 + 2 * 0.6 + 2 * step).epsilon(1e-13));

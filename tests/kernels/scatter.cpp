@@ -75,9 +75,9 @@ void check_conservation(Transfer transfer) {
 }  // namespace
 
 TEST_CASE("Mass, volume and momentum arrive whole") {
-  check_conservation<2>(Transfer::apic);
+  check_conservation<2>(Transfer::tpic);
   check_conservation<2>(Transfer::blend);
-  check_conservation<3>(Transfer::apic);
+  check_conservation<3>(Transfer::tpic);
   check_conservation<3>(Transfer::blend);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("Angular momentum arrives whole, the spin of the particles in
 TEST_CASE_TEMPLATE("Without a record of its own, dt times the force joins the momentum", Size,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
   constexpr int Dim = Size::value;
-  const Scattered<Dim> apart(Transfer::blend), joined(Transfer::apic);
+  const Scattered<Dim> apart(Transfer::blend), joined(Transfer::tpic);
   REQUIRE(joined.grid.force.empty());
   double worst = 0;
   for_each_node(apart.grid.layout, 2, [&](int flat, const auto&) {

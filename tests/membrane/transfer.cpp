@@ -67,7 +67,7 @@ TEST_CASE("A membrane brings its mass and momentum to the grid; its forces have 
 
 TEST_CASE("Without a record of its own, dt times the membrane's force joins the momentum") {
   State<2> state = line_state();
-  Grid<2> apart = box_grid(Transfer::blend), joined = box_grid(Transfer::apic);
+  Grid<2> apart = box_grid(Transfer::blend), joined = box_grid(Transfer::tpic);
   membranes_to_grid(state, apart, dt);
   membranes_to_grid(state, joined, dt);
   double worst = 0;
@@ -81,7 +81,7 @@ TEST_CASE("Membrane nodes and tracers move with the grid; a linear field exactly
   State<2> state = line_state();
   state.tracers = {{"cork", {1.3, 2.6}, {}, {1, 1}}};
   const Membrane<2> before = state.membranes[0];
-  Grid<2> grid = box_grid(Transfer::apic);
+  Grid<2> grid = box_grid(Transfer::tpic);
   put_field(grid);
   SolverSpec solver;
   state.drift = 0.1;

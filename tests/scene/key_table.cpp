@@ -187,7 +187,7 @@ TEST_CASE("a row whose condition does not hold is refused") {
   CHECK(scene_error(every_key, {"materials.oil.cohesion=1"})
             .find("materials.oil.cohesion: found a key that does not apply here; allowed: only with model = "
                   "\"mohr_coulomb\"") != std::string::npos);
-  CHECK(scene_error(every_key, {"solver.transfer=apic"})
+  CHECK(scene_error(every_key, {"solver.transfer=tpic"})
             .find("solver.blend_rate: found a key that does not apply here; allowed: only with transfer = \"blend\"") !=
         std::string::npos);
   CHECK(scene_error(every_key, {"materials.sand.porosity=0.4"}).find("only with drainage = \"undrained\"") !=

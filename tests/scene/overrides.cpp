@@ -34,7 +34,7 @@ TEST_CASE("the last of several wins; an empty value removes; a table can be made
   CHECK(read_scene(every_key,
                    {"materials.sand.density=9007199254740993", "materials.sand.youngs_modulus=9007199254740993"})
             .materials.size() == 6);  // 2^53 + 1: no double, yet a number
-  CHECK(read_scene(every_key, {"solver.transfer=apic", "solver.blend_rate="}).solver.transfer == Transfer::apic);
+  CHECK(read_scene(every_key, {"solver.transfer=tpic", "solver.blend_rate="}).solver.transfer == Transfer::tpic);
   const Scene moving =
       read_scene(every_key, {"bodies.bag.initial_velocity.type=uniform", "bodies.bag.initial_velocity.value=[0, -2]"});
   CHECK(moving.bodies[2].initial_velocity == InitialVelocity{UniformVelocitySpec{{0, -2}}});
@@ -69,8 +69,8 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
                    "found no such key to remove; allowed: one of \"blend_rate\", \"courant\", \"damping_rate\", "
                    "\"transfer\"; the nearest is \"courant\""},
            Mistake{"grid.spacing=0.0005",
-                   "found 5e-04, which is 400 million cells, about 61 GB of memory for the grid; allowed: at most 200 "
-                   "million cells, about 31 GB of memory for the grid"},
+                   "found 5e-04, which is 400 million cells, about 74 GB of memory for the grid; allowed: at most 200 "
+                   "million cells, about 37 GB of memory for the grid"},
            Mistake{"grid.spacing=1e-5", "allowed: at most 200 million cells"},
            Mistake{"grid.spacing=", "grid.spacing: found nothing: the key is missing"},
        }) {

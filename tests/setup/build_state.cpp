@@ -57,6 +57,12 @@ TEST_CASE("A bar in its first mode moves with v0 sin(pi x / 2 L), its affine rat
   CHECK(state.v_max == doctest::Approx(fastest).epsilon(1e-14));
 }
 
+TEST_CASE("With MUSL, which never renews them, particles start without gradients of velocity") {
+  const State<2> state = build_state<2>(read_scene(source_path("cases/elastic_bar.toml"), {"solver.transfer=musl"}));
+  for (const auto& component : state.bodies[0].affine)
+    for (const double each : component) CHECK(each == 0);
+}
+
 TEST_CASE("Arrays of absent features have length zero") {
   const State<2> column = build_state<2>(read_scene(source_path("cases/gravity_column.toml")));
   CHECK(column.bodies[0].pore_pressure.empty());

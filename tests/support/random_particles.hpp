@@ -25,7 +25,7 @@ class Random {
 
 /// A box of `cells` cells of size h from the origin, one body, one elastic material.
 template <int Dim>
-Scene box_scene(int cells, double h, WallKind wall, Transfer transfer = Transfer::apic) {
+Scene box_scene(int cells, double h, WallKind wall, Transfer transfer = Transfer::tpic) {
   Scene scene;
   scene.dimension = Dim;
   scene.grid.lower.assign(Dim, 0.0);
