@@ -34,6 +34,20 @@ TEST_CASE("Main case on the other bases: one hash for 1, 2, 3 and 5 threads") {
     check_threads("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.0766", "grid.basis=" + basis});
 }
 
+TEST_CASE("Triangles with nodal pressure, MUSL: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("cases/sloshing.toml",
+                {"grid.basis=tri3", "solver.transfer=musl", "solver.blend_rate=100", "bodies.water.shift=false",
+                 "bodies.water.shift_speed=", "bodies.water.pressure=nodal", "grid.spacing=0.015625", "time.end=0.1"});
+}
+
+TEST_CASE("Consistent mass matrix, particles shed, MUSL: one hash for 1, 2, 3 and 5 threads") {
+  const std::vector<std::string> fine{"grid.spacing=0.015625", "solver.mass_matrix=consistent", "time.end=0.1"};
+  check_threads("cases/sloshing.toml", fine);
+  std::vector<std::string> musl = fine;
+  musl.push_back("solver.transfer=musl");
+  check_threads("cases/sloshing.toml", musl);
+}
+
 TEST_CASE("Shifting water: one hash for 1, 2, 3 and 5 threads") {
   // Finer than the case, so that there are enough particles for threads to be used at all.
   check_threads("cases/hydrostatic_column.toml", {"grid.spacing=0.125", "time.end=0.5"});
@@ -54,6 +68,19 @@ TEST_CASE("Sand and water in space: one hash for 1, 2, 3 and 5 threads") {
   check_threads("tests/scenes/run_up_3d.toml",
                 {"grid.spacing=0.25", "grid.upper.1=3.0", "bodies.sand.shape.upper.1=3.0",
                  "bodies.water.shape.upper.1=3.0", "bodies.sand.jitter=0.2", "time.end=0.1"});
+}
+
+TEST_CASE("The other bases in space: one hash for 1, 2, 3 and 5 threads") {
+  const std::vector<std::string> scene{"time.end=0.05", "bodies.water.shift=false", "bodies.water.shift_speed="};
+  for (const std::string basis : {"gimp", "linear", "tet4"}) {
+    CAPTURE(basis);
+    std::vector<std::string> settings = scene;
+    settings.push_back("grid.basis=" + basis);
+    if (basis == "tet4")
+      for (const std::string more : {"solver.transfer=musl", "bodies.water.pressure=nodal"}) settings.push_back(more);
+    if (basis == "tet4") settings.push_back("solver.blend_rate=100");
+    check_threads("cases/hydrostatic_column_3d.toml", settings);
+  }
 }
 
 TEST_CASE("Shifting water in space: one hash for 1, 2, 3 and 5 threads") {
