@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/types.hpp>
 
@@ -31,7 +32,7 @@ struct GridLayout {
   /// Blocks are what is cleared, updated and skipped: nodes per axis.
   static constexpr std::array<int, 3> block_width = {16, slab_width<Dim>, slab_width<Dim>};
 
-  double h = 0;                                          ///< spacing [m]
+  double h = 0;                                          ///< spacing; on a graded grid that of the coarse cells [m]
   double inv_h = 0;                                      ///< [1/m]
   std::array<double, Dim> lower{}, upper{};              ///< domain [m]
   std::array<int, Dim> cells{};                          ///< intervals per axis; nodes 0..cells
@@ -41,12 +42,16 @@ struct GridLayout {
   std::array<int, Dim> slabs{};                          ///< per axis; 1 along x
   std::array<WallKind, Dim> lower_wall{}, upper_wall{};  ///< both periodic or neither
   Basis basis = Basis::bspline2;
+  double finest = 0;  ///< width of the finest cell; h on a uniform grid [m]
+  /// Of a graded grid, the knots of all axes, uniform ones too; else empty.
+  std::array<KnotTable, Dim> knots;
   /// Where particles may be between two sorts [m]: the domain, and along a periodic axis a cell more on both sides.
   std::array<double, Dim> particle_lower{}, particle_upper{};
 
   GridLayout() = default;
   GridLayout(const GridSpec& spec, const WallsSpec& walls);
 
+  bool graded() const { return !knots[0].empty(); }
   bool periodic(int axis) const { return lower_wall[axis] == WallKind::periodic; }
   /// The coordinate in the domain that a coordinate beyond a periodic wall stands for [m].
   double wrapped(int axis, double x) const {
@@ -64,8 +69,21 @@ struct GridLayout {
     for (int a = 0; a < Dim; ++a) flat += (i[a] + pad) * stride[a];
     return flat;
   }
-  /// Coordinate of the base cell (nearest node) of position x along one axis.
-  int base(int axis, double x) const { return static_cast<int>(std::floor((x - lower[axis]) * inv_h + 0.5)); }
+  /// Coordinate of the base cell (nearest node; on a graded grid the knot span) of position x along one axis.
+  int base(int axis, double x) const {
+    if (graded()) return knots[axis].find(x) - pad;
+    return static_cast<int>(std::floor((x - lower[axis]) * inv_h + 0.5));
+  }
+  /// Place of node i along one axis [m].
+  double node(int axis, int i) const { return graded() ? knots[axis].node(i + pad) : lower[axis] + i * h; }
+  /// Width of the knot span of node i along one axis, walls or not [h].
+  double span_width(int axis, int i) const { return graded() ? knots[axis][i + pad].width * inv_h : 1.0; }
+  /// Integral of the spline of node i along one axis, walls or not: the mean of its three spans [h].
+  double spline_width(int axis, int i) const {
+    if (!graded()) return 1.0;
+    const KnotSpan& span = knots[axis][i + pad];
+    return (2 * (span.gap_below + span.gap_above) - span.width) / 3 * inv_h;
+  }
 };
 
 /// Flags of a pressure cell.
@@ -79,7 +97,9 @@ enum CellFlag : std::uint8_t {
 template <int Dim>
 struct Grid {
   GridLayout<Dim> layout;
-  double light_mass = 0;  ///< nodes below it share their impulse with their neighbours, see grid/momentum [kg]
+  /// Nodes below it (on a graded grid: times the widths of their splines) share their impulse with their neighbours,
+  /// see grid/momentum [kg].
+  double light_mass = 0;
 
   Array<Vec4> sum;    ///< momentum in lanes 0..Dim-1 [kg m/s], mass in lane 3 [kg]; 2D: volume in lane 2 [m3]
   Array<Vec4> force;  ///< force from stresses in lanes 0..Dim-1 [N]; 3D: volume in lane 3 [m3]. Without it, dt force is
@@ -100,11 +120,12 @@ struct Grid {
   Array<double> node_pressure;  ///< sum N V_p p_p, then their mean P_i [Pa]
   Array<double> node_rate;      ///< sum N V_p tr L_p, then their mean D_i [1/s]
 
-  /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, h = 1.
+  /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, with h as
+  /// the unit of length.
   struct AxisIntegrals {
     Array<std::array<double, 3>> value;  ///< int N of the nodes cell-1, cell, cell+1
     Array<std::array<double, 3>> slope;  ///< int N'
-    Array<double> width;                 ///< of the cell: 1, at a wall 1/2, beyond it 0
+    Array<double> width;                 ///< of the cell: uniform 1, at a wall 1/2, beyond it 0
   };
   std::array<AxisIntegrals, Dim> integrals;
   std::array<double, 3> interior_value{};  ///< int N over the cells below, at, above a node, away from walls, h = 1

@@ -188,7 +188,7 @@ struct MembraneSpec {
   double mass_per_area = 0;      ///< [kg/m2]
   double strength = 0;           ///< [N/m]
   double slack = 0;              ///< rest length / drawn length - 1 [-]
-  double segments_per_cell = 4;  ///< spacing of nodes = h / segments_per_cell
+  double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
   int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
@@ -201,10 +201,19 @@ enum class Transfer { tpic, blend, musl };
 /// consistent: two terms of the series for the inverse, see grid/mass_correction.
 enum class MassMatrix { lumped, consistent };
 
+/// Finer cells along one axis between `from` and `to`, growing to the spacing of the grid on both sides.
+struct RefineSpec {
+  int axis = 0;                      ///< 0: x, 1: y, 2: z
+  double from = 0, to = 0;           ///< [m]
+  double spacing = 0, growth = 1.1;  ///< of the cells there [m]; width of a cell over that of the next finer one [-]
+  SourceRef at;
+  bool operator==(const RefineSpec&) const = default;
+};
 struct GridSpec {
   Point lower, upper;  ///< domain [m]
   double spacing = 0;  ///< h [m]
   Basis basis = Basis::bspline2;
+  std::vector<RefineSpec> refine{};  ///< at most one an axis
   bool operator==(const GridSpec&) const = default;
 };
 struct WallsSpec {

@@ -36,7 +36,7 @@ struct Row {
 Labels labels_of(const Benchmark& bench) {
   return {bench.name,
           bench.dimension,
-          name_of(bench.basis),
+          name_of(bench.basis) + (bench.graded ? "_graded" : ""),
           name_of(bench.material),
           name_of(bench.transfer),
           name_of(bench.pressure)};

@@ -149,6 +149,11 @@ std::vector<Benchmark> all_benchmarks() {
       for (const BenchMaterial material : {BenchMaterial::water, BenchMaterial::soil})
         add(material, "_" + name_of(average), plain, average);
       if (plain == Transfer::tpic) add(BenchMaterial::water, "_blend", Transfer::blend, PressureSupport::particle);
+      if (basis != Basis::bspline2) continue;
+      for (const PressureSupport pressure : {PressureSupport::particle, average}) {
+        add(BenchMaterial::water, pressure == average ? "_graded_cell" : "_graded", plain, pressure);
+        all.back().graded = true;
+      }
     }
   return all;
 }
@@ -162,7 +167,8 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size) {
   const double low = (box - cells) / 2;  // whole: blocks of different boxes lie alike in their cells
   Scene scene;
   scene.dimension = d;
-  scene.grid = {Point(d, 0.0), Point(d, box), 1, bench.basis};
+  scene.grid = {Point(d, 0.0), Point(d, box), 1, bench.basis, {}};
+  for (int a = 0; bench.graded && a < d; ++a) scene.grid.refine.push_back({a, low, low + cells, 1, 1.1, {}});
   scene.walls.lower.assign(d, WallKind::slip);
   scene.walls.upper = scene.walls.lower;
   scene.gravity.assign(d, 0.0);

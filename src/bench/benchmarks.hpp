@@ -19,6 +19,7 @@ struct Benchmark {
   BenchMaterial material = BenchMaterial::water;
   Transfer transfer = Transfer::tpic;
   PressureSupport pressure = PressureSupport::particle;
+  bool graded = false;  ///< graded kernels, on cells of the same width: all that differs is what they cost
 };
 
 /// Every (dimension, basis, material) that ships, and the options that change the cost of a step.

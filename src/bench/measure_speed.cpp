@@ -65,9 +65,9 @@ SpeedMeasurement describe(const Subject<Dim>& subject) {
   const double all = static_cast<double>(m.particles);
   for (const Body<Dim>& body : subject.state.bodies) {
     m.bytes_per_particle += particle_bytes(body) / all;
-    m.work +=
-        work_of({Dim, subject.scene.grid.basis, kind_of(body.material), subject.scene.solver.transfer, body.pressure}) *
-        (static_cast<double>(body.size()) / all);
+    m.work += work_of({Dim, subject.scene.grid.basis, kind_of(body.material), subject.scene.solver.transfer,
+                       body.pressure, subject.grid.layout.graded()}) *
+              (static_cast<double>(body.size()) / all);
   }
   return m;
 }
@@ -75,7 +75,7 @@ SpeedMeasurement describe(const Subject<Dim>& subject) {
 /// Steps through a number of sort cycles; the first step sorts.
 template <int Dim>
 int step_cycles(Subject<Dim>& subject, int cycles) {
-  const double due = allowed_drift_cells * subject.grid.layout.h;
+  const double due = allowed_drift_cells * subject.grid.layout.finest;
   int steps = 0;
   for (int cycle = 0; cycle < cycles; ++cycle) do {
       advance(subject.scene, subject.pipeline, subject.state, subject.grid);

@@ -43,6 +43,7 @@ LawCost cost_of(BenchMaterial material) {
 struct ProductBasis {
   int support;   ///< nodes per axis
   double shape;  ///< operations of N and its slope along one axis
+  bool graded = false;
 
   double weights(int d) const { return d * (7 + support + shape); }  // position, cell, reach 7; slopes over h
 
@@ -50,7 +51,7 @@ struct ProductBasis {
   double scatter(int d) const {
     const double row = (d == 2 ? 2 : 4) * lanes + (d == 2 ? lanes : 3 * lanes + 3) + 3 * lanes;
     const double rows = d == 2 ? support : support * support;
-    return rows * (row + support * 7 * lanes);
+    return rows * (row + support * (graded ? 8 : 7) * lanes);  // graded: next value is a product and a sum
   }
 
   /// Each sum of records is two operations a lane.
@@ -77,6 +78,12 @@ TransferCost product_cost(const ProductBasis& basis, int d, bool blend) {
 TransferCost simplex_cost(int d, bool blend) {
   const double nodes = d + 1;
   return {5.0 * d + nodes, nodes * 6 * lanes, nodes * (blend ? 6 : 4) * lanes};
+}
+
+/// Graded axes: span 4, weights and slopes 14, nodes 5.
+TransferCost graded_cost(int d, bool blend) {
+  const ProductBasis basis{3, 13, true};
+  return product_cost(basis, d, blend);
 }
 
 TransferCost transfer_cost(Basis basis, int d, bool blend) {
@@ -113,7 +120,7 @@ double remap_flops(int d, const TransferCost& transfer) {
 double flops_of(const WorkKind& kind, const LawCost& law) {
   const int d = kind.dimension, acting = d == 2 ? 3 : 6;
   const bool blend = kind.transfer == Transfer::blend;
-  const TransferCost transfer = transfer_cost(kind.basis, d, blend);
+  const TransferCost transfer = kind.graded ? graded_cost(d, blend) : transfer_cost(kind.basis, d, blend);
   double flops = 2 * transfer.weights + transfer.scatter + transfer.gather;  // weights for scatter and for gather
   flops += d + d * (3 * lanes + d) + (blend ? 0 : acting);                   // make_record; stress times dt
   flops += d * (2 * lanes + 1 + 3 + (blend ? 5 : 0) + 4);                    // store_sums, move_chunk, finish_chunk

@@ -26,6 +26,7 @@ struct WorkKind {
   BenchMaterial material = BenchMaterial::water;
   Transfer transfer = Transfer::tpic;
   PressureSupport pressure = PressureSupport::particle;
+  bool graded = false;
 };
 WorkCount work_of(const WorkKind& kind);
 

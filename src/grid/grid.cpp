@@ -30,10 +30,27 @@ CellIntegral wall_cell(Basis basis, bool lower, double parity) {
   return {{mirror_value, own, 0}, {-mirror_slope, 0, 0}};
 }
 
+/// The same on a knot span of width w with neighbours of width w -+ : int N = w^2 / (3 (w + w_-)), w^2 / (3 (w + w_+)),
+/// int N' = -+ w / (w + w_-+). A wall has the same spans on both sides; its half cell holds 1/8 of the spline that
+/// leaves it and 7/8 of the one that enters.
+CellIntegral graded_cell(const KnotSpan& span, double h) {
+  const double below = span.width / (2 * span.gap_below), above = span.width / (2 * span.gap_above);
+  const double w = span.width / h, value_below = below * w / 3, value_above = above * w / 3;
+  return {{value_below, w - value_below - value_above, value_above}, {-below, below - above, above}};
+}
+
+CellIntegral graded_wall_cell(const KnotSpan& span, double h, bool lower, double parity) {
+  const double share = span.width / (2 * span.gap_above), w = span.width / h, whole = share * w / 3;
+  const double own = w / 2 - whole, mirror_value = (7 + parity) / 8 * whole;
+  if (lower) return {{0, own, mirror_value}, {0, 0, share}};
+  return {{mirror_value, own, 0}, {-share, 0, 0}};
+}
+
 template <int Dim>
 typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, int axis) {
   typename Grid<Dim>::AxisIntegrals out;
   const int stored = layout.stored[axis];
+  const bool graded = layout.graded();
   const CellIntegral none{{0, 0, 0}, {0, 0, 0}};
   const CellIntegral interior = interior_cell(layout.basis);
   out.value.resize(stored);
@@ -46,10 +63,17 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
     const bool at_lower = !periodic && cell == 0, at_upper = !periodic && cell == layout.cells[axis];
     const WallKind wall = at_lower ? layout.lower_wall[axis] : layout.upper_wall[axis];
     const double parity = wall == WallKind::slip ? 1.0 : -1.0;
-    const CellIntegral c = !inside ? none : at_lower || at_upper ? wall_cell(layout.basis, at_lower, parity) : interior;
+    const auto in_cell = [&] {
+      if (!inside) return none;
+      const bool wall_half = at_lower || at_upper;
+      if (!graded) return wall_half ? wall_cell(layout.basis, at_lower, parity) : interior;
+      const KnotSpan& span = layout.knots[axis][s];
+      return wall_half ? graded_wall_cell(span, layout.h, at_lower, parity) : graded_cell(span, layout.h);
+    };
+    const CellIntegral c = in_cell();
     out.value[s] = c.value;
     out.slope[s] = c.slope;
-    out.width[s] = !inside ? 0.0 : (at_lower || at_upper ? 0.5 : 1.0);
+    out.width[s] = !inside ? 0.0 : (at_lower || at_upper ? 0.5 : 1.0) * layout.span_width(axis, cell);
   }
   return out;
 }
@@ -58,12 +82,12 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
 
 template <int Dim>
 GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls)
-    : h(spec.spacing), inv_h(1.0 / spec.spacing), basis(spec.basis) {
+    : h(spec.spacing), inv_h(1.0 / spec.spacing), basis(spec.basis), finest(finest_spacing(spec)) {
   int flat = 1;
   for (int a = 0; a < Dim; ++a) {
     lower[a] = spec.lower[a];
     upper[a] = spec.upper[a];
-    cells[a] = static_cast<int>(std::lround((upper[a] - lower[a]) * inv_h));
+    cells[a] = AxisMap(spec, a).cells();
     stored[a] = cells[a] + 1 + 2 * pad;
     stride[a] = flat;
     flat *= stored[a];
@@ -71,6 +95,7 @@ GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls)
     slabs[a] = a == 0 ? 1 : (cells[a] + slab_width<Dim>) / slab_width<Dim>;
     lower_wall[a] = walls.lower[a];
     upper_wall[a] = walls.upper[a];
+    if (!spec.refine.empty()) knots[a] = KnotTable(spec, a, pad);
     const double beyond = periodic(a) ? h : 0.0;
     particle_lower[a] = lower[a] - beyond;
     particle_upper[a] = upper[a] + beyond;

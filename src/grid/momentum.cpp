@@ -89,19 +89,35 @@ void impose_walls(const State<Dim>& state, const GridLayout<Dim>& layout, Array<
   }
 }
 
-/// Volume of particles over volume of the node's cell [-]: what particles shift down the gradient of. The smooth spline
-/// sum, not the count in the cell: counts jump when a particle changes cells (jittered column: error 2.0 instead of 1.0
-/// %).
+/// Volume of particles over the integral of the node's spline [-]: what particles shift down the gradient of. The
+/// smooth spline sum, not the count in the cell: counts jump when a particle changes cells (jittered column: error 2.0
+/// instead of 1.0 %).
 template <int Dim>
 double fill_ratio(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node) {
   if (grid.cell_volume.empty() || (Dim == 3 && grid.force.empty())) return 0;
   double whole = 1;
   for (int a = 0; a < Dim; ++a) whole *= grid.integrals[a].width[node[a]] * grid.layout.h;
+  // On a graded grid the integral is not the width of the span: 3 % of a difference where cells begin to grow kept a
+  // column of water in motion for ever (0.11 m/s).
+  if (grid.layout.graded())
+    for (int a = 0, i = 0; a < Dim; ++a) {
+      i = node[a] - GridLayout<Dim>::pad;
+      whole *= grid.layout.spline_width(a, i) / grid.layout.span_width(a, i);
+    }
   return (Dim == 2 ? grid.sum[flat][2] : grid.force[flat][3]) / whole;
 }
 
 /// Impulses that light nodes could not take, by node.
 using LeftOver = std::vector<std::pair<int, Vec4>>;
+
+/// Mass below which a node is light: on a graded grid a share of what its own spline holds.
+template <int Dim>
+double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
+  double mass = grid.light_mass;
+  if (grid.layout.graded())
+    for (int a = 0; a < Dim; ++a) mass *= grid.layout.spline_width(a, node[a] - GridLayout<Dim>::pad);
+  return mass;
+}
 
 struct MomentumStep {
   Vec4 gravity;  ///< dt g [m/s]
@@ -110,14 +126,16 @@ struct MomentumStep {
 
 /// Velocity of one node from its sums and `impulse` [N s], the cell pressure's and, if separate, the stresses'.
 template <int Dim>
-void update_node(Grid<Dim>& grid, int flat, const Vec4& impulse, const MomentumStep& step, LeftOver& left_over) {
+void update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, const Vec4& impulse,
+                 const MomentumStep& step, LeftOver& left_over) {
   const double m = grid.sum[flat][3];
   Vec4 velocity{}, change{};
   if (m > 0) {
-    const double inv_m = 1 / m, carried = std::min(inv_m, 1 / grid.light_mass);
+    const double light = light_mass<Dim>(grid, node);
+    const double inv_m = 1 / m, carried = std::min(inv_m, 1 / light);
     change = impulse * carried + step.gravity;
     velocity = grid.sum[flat] * inv_m + change;
-    if (m < grid.light_mass) left_over.emplace_back(flat, (1 - m / grid.light_mass) * impulse);
+    if (m < light) left_over.emplace_back(flat, (1 - m / light) * impulse);
   }
   grid.velocity[flat] = velocity;
   if (!grid.velocity_change.empty()) grid.velocity_change[flat] = change;
@@ -133,7 +151,7 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
     Vec4 impulse{};
     for (int a = 0; a < Dim; ++a) impulse[a] = force[a][k];
     if (separate) impulse += grid.force[begin + k];
-    update_node(grid, begin + k, step.dt * impulse, step, left_over);
+    update_node<Dim>(grid, begin + k, node, step.dt * impulse, step, left_over);
     grid.velocity[begin + k][3] = fill_ratio<Dim>(grid, begin + k, node);
   }
 }

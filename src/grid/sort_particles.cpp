@@ -222,7 +222,7 @@ void renew_active_blocks(State<Dim>& state, Grid<Dim>& grid) {
 
 template <int Dim>
 void sort_particles_if_due(State<Dim>& state, Grid<Dim>& grid) {
-  if (state.drift >= 0 && state.drift < allowed_drift_cells * grid.layout.h) return;
+  if (state.drift >= 0 && state.drift < allowed_drift_cells * grid.layout.finest) return;
   for (Body<Dim>& body : state.bodies) sort_body(state, body, grid.layout);
   renew_active_blocks(state, grid);
   state.drift = 0;

@@ -12,7 +12,7 @@ namespace geodrop {
 template <int Dim>
 void sort_particles_if_due(State<Dim>& state, Grid<Dim>& grid);
 
-/// Largest drift since the sort that the colouring and the active blocks allow, in cells.
+/// Largest drift since the sort that the colouring and the active blocks allow, in (finest) cells.
 inline constexpr double allowed_drift_cells = 0.99;
 
 }  // namespace geodrop

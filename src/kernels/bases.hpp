@@ -4,6 +4,7 @@
 //   base - 1, base, base + 1 (support 3) or base, base + 1 (support 2); slopes are times h
 #pragma once
 
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/scene.hpp>
 
 #include <type_traits>
@@ -28,6 +29,20 @@ struct Bspline2 {
   static ThreeWeights at(double r, double) {
     const double left = 0.5 - r, right = 0.5 + r;
     return {0.5 * left * left, 0.75 - r * r, 0.5 * right * right, -left, -2 * r, right};
+  }
+};
+
+/// The same on knots of unlike distance: base = the span that holds the particle; slopes are per metre.
+struct GradedBspline2 {
+  static constexpr Basis name = Basis::bspline2;
+  static constexpr int support = 3;
+
+  static ThreeWeights at(const KnotSpan& span, double x) {
+    const double right = x - span.left, left = span.width - right;
+    const double per_width = 1 / span.width;
+    const double g0 = -left * per_width / span.gap_below, g2 = right * per_width / span.gap_above;
+    const double w0 = -0.5 * left * g0, w2 = 0.5 * right * g2;
+    return {w0, 1 - w0 - w2, w2, g0, -g0 - g2, g2};
   }
 };
 
@@ -60,6 +75,9 @@ struct Linear {
 /// Linear simplices, the paper's element: cells split regularly along their main diagonal into two triangles (tri3) or
 /// six tetrahedra (tet4). Not a product over the axes: see simplex.hpp.
 struct Simplex {};
+
+template <class Policy>
+inline constexpr bool is_graded = std::is_same_v<Policy, GradedBspline2>;
 
 /// Simplices have no affine transfer: a particle would repeat the velocity of its element exactly, and nothing would
 /// damp nearly empty nodes (the jittered column blew up after 139 steps). They have MUSL only.

@@ -19,6 +19,10 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
     for (int k = 0; k < count; ++k) cell[k] = 0;
     for (int a = 0; a < Dim; ++a) {
       const double* const x = body.x[a].data() + p;
+      if (layout.graded()) {
+        for (int k = 0; k < count; ++k) cell[k] += layout.knots[a].find_inside(x[k]) * layout.stride[a];
+        continue;
+      }
       const double lower = layout.lower[a], inv_h = layout.inv_h;
       for (int k = 0; k < count; ++k)
         cell[k] += (static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad) *

@@ -70,6 +70,60 @@ void compute_product_weights(const GridLayout<Dim>& layout, const std::array<con
   }
 }
 
+/// As the general ChunkWeights; nodes are not h apart.
+template <int Dim>
+struct ChunkWeights<Dim, GradedBspline2> {
+  alignas(64) std::int32_t first[chunk_size];
+  alignas(64) double w[Dim][3][chunk_size];    ///< N [-]
+  alignas(64) double g[Dim][3][chunk_size];    ///< dN/dx [1/m]
+  alignas(64) double reach[Dim][chunk_size];   ///< x_first - x_p [m]
+  alignas(64) KnotSpan span[Dim][chunk_size];  ///< that holds the particle
+};
+
+/// The spans of particles at x, copied whole: compilers would otherwise gather number by number (a step in 2D: 48 ns
+/// instead of 42). `first` moves on by the span of each particle.
+inline void find_spans(const KnotTable& knots, const double* x, int stride, int count, std::int32_t* first,
+                       KnotSpan* spans) {
+  for (int k = 0; k < count; ++k) {
+    const int s = knots.find_inside(x[k]);
+    first[k] += (s - 1) * stride;
+    spans[k] = knots[s];
+  }
+}
+
+template <int Dim>
+void compute_graded_weights(const GridLayout<Dim>& layout, const std::array<const double*, Dim>& x, int count,
+                            ChunkWeights<Dim, GradedBspline2>& out) {
+  for (int k = 0; k < count; ++k) out.first[k] = 0;
+  for (int a = 0; a < Dim; ++a) {
+    const double* const xa = x[a];
+    find_spans(layout.knots[a], xa, layout.stride[a], count, out.first, out.span[a]);
+    auto& w = out.w[a];
+    auto& g = out.g[a];
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+      const KnotSpan& span = out.span[a][k];
+      const ThreeWeights n = GradedBspline2::at(span, xa[k]);
+      w[0][k] = n.w0;
+      w[1][k] = n.w1;
+      w[2][k] = n.w2;
+      g[0][k] = n.g0;
+      g[1][k] = n.g1;
+      g[2][k] = n.g2;
+      out.reach[a][k] = span.left + 0.5 * span.width - span.gap_below - xa[k];
+    }
+  }
+}
+
+/// Node i of the support along an axis, seen from the lowest one [h; graded: m].
+template <int Dim, class Basis>
+double node_offset(const ChunkWeights<Dim, Basis>& weights, int axis, int i, int k) {
+  if constexpr (is_graded<Basis>)
+    return i == 0 ? 0.0 : weights.span[axis][k].gap_below + (i == 2 ? weights.span[axis][k].gap_above : 0.0);
+  else
+    return i;
+}
+
 /// Nodes along the path from the lowest corner of the cell to the highest, with one axis at a time.
 template <int Dim>
 struct ChunkWeights<Dim, Simplex> {
@@ -119,6 +173,8 @@ void compute_weights(const GridLayout<Dim>& layout, const std::type_identity_t<s
                      double half_size, int count, ChunkWeights<Dim, Basis>& out) {
   if constexpr (std::is_same_v<Basis, Simplex>)
     compute_simplex_weights<Dim>(layout, x, count, out);
+  else if constexpr (is_graded<Basis>)
+    compute_graded_weights<Dim>(layout, x, count, out);
   else
     compute_product_weights<Dim, Basis>(layout, x, half_size, count, out);
 }

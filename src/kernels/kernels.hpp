@@ -44,9 +44,9 @@ void sum_by_mass(const Body<Dim>& body, const ByMass<Dim>& what, const GridLayou
                  std::size_t begin, std::size_t end);
 
 /// Calls f(basis policy) for the basis of the grid: one switch per range of particles.
-template <class F>
-auto with_basis(Basis basis, F&& f) {
-  switch (basis) {
+template <int Dim, class F>
+auto with_basis(const GridLayout<Dim>& layout, F&& f) {
+  switch (layout.basis) {
     case Basis::gimp:
       return f(Gimp{});
     case Basis::linear:
@@ -57,32 +57,32 @@ auto with_basis(Basis basis, F&& f) {
     case Basis::bspline2:
       break;
   }
+  if (layout.graded()) return f(GradedBspline2{});
   return f(Bspline2{});
 }
 
 template <int Dim>
 void scatter(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end) {
-  with_basis(grid.layout.basis, [&](auto basis) { scatter<Dim, decltype(basis)>(body, grid, dt, begin, end); });
+  with_basis(grid.layout, [&](auto basis) { scatter<Dim, decltype(basis)>(body, grid, dt, begin, end); });
 }
 
 template <int Dim>
 Maxima gather(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
               std::size_t end) {
-  return with_basis(grid.layout.basis,
+  return with_basis(grid.layout,
                     [&](auto basis) { return gather<Dim, decltype(basis)>(body, grid, options, begin, end); });
 }
 
 template <int Dim>
 void update_velocity(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                      std::size_t end) {
-  with_basis(grid.layout.basis,
-             [&](auto basis) { update_velocity<Dim, decltype(basis)>(body, grid, options, begin, end); });
+  with_basis(grid.layout, [&](auto basis) { update_velocity<Dim, decltype(basis)>(body, grid, options, begin, end); });
 }
 
 template <int Dim>
 void sum_by_mass(const Body<Dim>& body, const ByMass<Dim>& what, const GridLayout<Dim>& layout, Vec4* sum,
                  std::size_t begin, std::size_t end) {
-  with_basis(layout.basis, [&](auto basis) { sum_by_mass<Dim, decltype(basis)>(body, what, layout, sum, begin, end); });
+  with_basis(layout, [&](auto basis) { sum_by_mass<Dim, decltype(basis)>(body, what, layout, sum, begin, end); });
 }
 
 }  // namespace geodrop

@@ -60,6 +60,13 @@ void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const Chu
   }
 }
 
+/// Particles shift by a share of the width of their own span, not of h.
+template <int Dim>
+void scale_to_spans(const ChunkWeights<Dim, GradedBspline2>& weights, double inv_h, int count, ChunkRates<Dim>& rates) {
+  for (int a = 0; a < Dim; ++a)
+    for (int k = 0; k < count; ++k) rates.fill_slope[a][k] *= weights.span[a][k].width * inv_h;
+}
+
 template <int Dim, class Basis, Transfer transfer>
 Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                     std::size_t end) {
@@ -77,6 +84,8 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);
+    if constexpr (is_graded<Basis>)
+      if (body.shift) scale_to_spans<Dim>(weights, grid.layout.inv_h, count, rates);
     if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
     finish_chunk(body, grid.layout, old_x, p, count, maxima);
     strain_chunk<Dim>(body, rates, options.dt, p, count);

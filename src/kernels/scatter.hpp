@@ -26,7 +26,7 @@ void own_pressure(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeigh
 template <int Dim>
 struct ScatterRecord {
   Vec4 value;          ///< momentum and mass (2D: and volume) at the lowest node of the support
-  Vec4 step[Dim];      ///< change of `value` per node along an axis
+  Vec4 step[Dim];      ///< change of `value` per node (graded: per metre) along an axis
   Vec4 traction[Dim];  ///< -V sigma e_a
   double volume;       ///< [m3]
 };
@@ -48,7 +48,7 @@ ScatterRecord<Dim> make_record(const Body<Dim>& body, const ChunkWeights<Dim, Ba
       traction[a] = stress.s[stress_index<Dim>(a, b)][k];
     }
     r.value += weights.reach[b][k] * column;
-    r.step[b] = h * column;
+    r.step[b] = is_graded<Basis> ? column : h * column;
     r.traction[b] = traction;
   }
   return r;
@@ -56,15 +56,18 @@ ScatterRecord<Dim> make_record(const Body<Dim>& body, const ChunkWeights<Dim, Ba
 
 /// Adds one particle to a row of nodes; `outer_w` is the product of the other axes' weights.
 /// With Separate, force has its own record; without, `traction` comes times dt and joins the momentum.
-template <bool Separate, class Basis>
-void add_row(Vec4* sum, Vec4* force, const double (&w)[Basis::support][chunk_size],
-             const double (&g)[Basis::support][chunk_size], int k, double outer_w, Vec4 value, Vec4 step,
-             Vec4 traction_x, Vec4 traction_rest) {
+template <bool Separate, int Dim, class Basis>
+void add_row(Vec4* sum, Vec4* force, const ChunkWeights<Dim, Basis>& weights, int k, double outer_w, Vec4 value,
+             Vec4 step, Vec4 traction_x, Vec4 traction_rest) {
+  const auto& w = weights.w[0];
+  const auto& g = weights.g[0];
   value *= outer_w;
   step *= outer_w;
   traction_x *= outer_w;
   if constexpr (!Separate) value += traction_rest;  // one multiply-add less for each node
+  const Vec4 lowest = value;
   for (int i = 0; i < Basis::support; ++i) {
+    if constexpr (is_graded<Basis>) value = lowest + node_offset(weights, 0, i, k) * step;
     if constexpr (Separate) {
       sum[i] += w[i][k] * value;
       force[i] += g[i][k] * traction_x;
@@ -73,7 +76,7 @@ void add_row(Vec4* sum, Vec4* force, const double (&w)[Basis::support][chunk_siz
       sum[i] += g[i][k] * traction_x;
       sum[i] += w[i][k] * value;
     }
-    value += step;
+    if constexpr (!is_graded<Basis>) value += step;
   }
 }
 
@@ -86,17 +89,17 @@ void scatter_particle(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout
     const double wz = Dim == 3 ? weights.w[Dim - 1][z][k] : 1.0;
     for (int y = 0; y < Basis::support; ++y) {
       const double wy = weights.w[1][y][k];
-      Vec4 value = r.value + y * r.step[1];
+      Vec4 value = r.value + node_offset(weights, 1, y, k) * r.step[1];
       Vec4 rest = weights.g[1][y][k] * wz * r.traction[1];
       int offset = y * layout.stride[1];
       if constexpr (Dim == 3) {
-        value += z * r.step[2];
+        value += node_offset(weights, 2, z, k) * r.step[2];
         rest += wy * weights.g[2][z][k] * r.traction[2];
         if constexpr (Separate) rest[3] = wy * wz * r.volume;
         offset += z * layout.stride[2];
       }
-      add_row<Separate, Basis>(sum0 + offset, Separate ? force0 + offset : nullptr, weights.w[0], weights.g[0], k,
-                               wy * wz, value, r.step[0], r.traction[0], rest);
+      add_row<Separate>(sum0 + offset, Separate ? force0 + offset : nullptr, weights, k, wy * wz, value, r.step[0],
+                        r.traction[0], rest);
     }
   }
 }

@@ -54,9 +54,10 @@ struct PointSupport {
     for (int a = 0; a < Dim; ++a) {
       const int base = layout.base(a, x[a]);
       const double r = (x[a] - layout.lower[a]) * layout.inv_h - base;
-      const ThreeWeights n = layout.basis == Basis::bspline2 ? Bspline2::at(r, 0)
-                             : layout.basis == Basis::gimp   ? Gimp::at(r, half_size)
-                                                             : Gimp::at(r, to_the_limit);
+      const ThreeWeights n = layout.graded() ? GradedBspline2::at(layout.knots[a][base + GridLayout<Dim>::pad], x[a])
+                             : layout.basis == Basis::bspline2 ? Bspline2::at(r, 0)
+                             : layout.basis == Basis::gimp     ? Gimp::at(r, half_size)
+                                                               : Gimp::at(r, to_the_limit);
       w[a] = {n.w0, n.w1, n.w2};
       first += (base + GridLayout<Dim>::pad - 1) * layout.stride[a];
     }

@@ -96,7 +96,8 @@ template <int Dim>
 void find_nodes(const GridLayout<Dim>& layout, int axis, double x, std::array<int, 3>& node, double* weight) {
   x = layout.wrapped(axis, x);
   const int base = layout.base(axis, x), cells = layout.cells[axis];
-  const ThreeWeights at_node = Bspline2::at((x - layout.lower[axis]) * layout.inv_h - base, 0);
+  const ThreeWeights at_node = layout.graded() ? GradedBspline2::at(layout.knots[axis][base + GridLayout<Dim>::pad], x)
+                                               : Bspline2::at((x - layout.lower[axis]) * layout.inv_h - base, 0);
   weight[0] = at_node.w0;
   weight[1] = at_node.w1;
   weight[2] = at_node.w2;
@@ -133,7 +134,8 @@ std::pair<double, double> node_densities(const GridLayout<Dim>& layout, const Bo
       const int n = flat / layout.stride[a] % layout.stored[a] - GridLayout<Dim>::pad;
       const bool periodic = layout.periodic(a);
       real = real && n >= 0 && n <= layout.cells[a] - (periodic ? 1 : 0);
-      full *= layout.h * (!periodic && (n == 0 || n == layout.cells[a]) ? 0.5 : 1.0);
+      full *= layout.h * layout.spline_width(a, std::clamp(n, 0, layout.cells[a])) *
+              (!periodic && (n == 0 || n == layout.cells[a]) ? 0.5 : 1.0);
     }
     if (!real) continue;
     found.first = std::min(found.first, mass[flat] / full);

@@ -45,7 +45,7 @@ double damped(double dt, double rate) {
 }  // namespace
 
 /// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h) (design.md section 2); viscosity: dt <= h^2 / (2 d
-/// nu).
+/// nu); h is the finest cell's.
 template <int Dim>
 double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<Dim>& layout) {
   if (!std::isfinite(state.v_max)) {
@@ -59,9 +59,9 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
     nu = std::max(nu, kinematic_viscosity(body.material));
   }
   for (const Membrane<Dim>& membrane : state.membranes)
-    membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.h));
-  double dt = scene.solver.courant * layout.h / (std::sqrt(c2 + membrane2) + state.v_max);
-  if (nu > 0) dt = std::min(dt, scene.solver.courant * layout.h * layout.h / (2 * Dim * nu));
+    membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));
+  double dt = scene.solver.courant * layout.finest / (std::sqrt(c2 + membrane2) + state.v_max);
+  if (nu > 0) dt = std::min(dt, scene.solver.courant * layout.finest * layout.finest / (2 * Dim * nu));
   dt = damped(dt, scene.solver.damping_rate);
   constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
   if (dt < smallest_share * scene.time.end) {

@@ -200,10 +200,14 @@ ExpectSpec bind_expect(const Fields& f, SourceRef at) {
   return {f.text("result"), f.real("expected"), f.real("tolerance"), f.text("source"), at};
 }
 
+RefineSpec bind_zone(const Fields& f, SourceRef at) {
+  return {f.choice<int>("axis"), f.real("from"), f.real("to"), f.real("spacing"), f.real("growth"), at};
+}
+
 void bind_numerics(const Fields& root, Scene& scene) {
   const Fields grid = root.sub("grid"), walls = root.sub("walls"), solver = root.sub("solver"),
                output = root.sub("output");
-  scene.grid = {grid.point("lower"), grid.point("upper"), grid.real("spacing"), grid.choice<Basis>("basis")};
+  scene.grid = {grid.point("lower"), grid.point("upper"), grid.real("spacing"), grid.choice<Basis>("basis"), {}};
   const auto along_axes = [&](const char* x, const char* y_in_space, const char* vertical) {
     std::vector<WallKind> kinds{walls.choice<WallKind>(x)};
     if (scene.dimension == 3) kinds.push_back(walls.choice<WallKind>(y_in_space));
@@ -225,7 +229,7 @@ void bind_numerics(const Fields& root, Scene& scene) {
 template <class Bind>
 auto bind_list(const toml::table& complete, const Report& report, const std::string& name, Bind bind) {
   std::vector<decltype(bind(Fields(nullptr, name), SourceRef{}))> list;
-  const toml::array* tables = complete[name].as_array();
+  const toml::array* tables = complete.at_path(name).as_array();
   for (std::size_t i = 0; tables && i < tables->size(); ++i) {
     list.push_back(bind(Fields(tables->get(i)->as_table(), name), report.where(report.element(name, i))));
   }
@@ -242,6 +246,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.gravity = root.point("gravity");
   if (root.has("dimension")) scene.dimension = root.integer("dimension");
   bind_numerics(root, scene);
+  scene.grid.refine = bind_list(complete, report, "grid.refine", bind_zone);
   if (const toml::table* materials = complete["materials"].as_table()) {
     for (const auto& [name, node] : *materials) {
       const std::string word(name.str());

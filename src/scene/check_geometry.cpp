@@ -3,6 +3,7 @@
 
 #include "../setup/fill_particles.hpp"
 
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
 
 #include <algorithm>
@@ -123,7 +124,7 @@ bool is_empty(const Bounds& box, double spacing) {
 class PlacementCheck {
  public:
   PlacementCheck(const Scene& scene, Report& report)
-      : scene_(scene), report_(report), domain_{scene.grid.lower, scene.grid.upper}, h_(scene.grid.spacing) {}
+      : scene_(scene), report_(report), domain_{scene.grid.lower, scene.grid.upper}, h_(finest_spacing(scene.grid)) {}
 
   void run() {
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {

@@ -1,6 +1,7 @@
 // Checks of membranes: they lie on the outline of their body.
 #include "check_scene.hpp"
 
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
 
 namespace geodrop {
@@ -23,7 +24,7 @@ void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const st
     report.add(key + ".points", "no points",
                "points on the boundary of \"" + membrane.body + "\": a half-plane has no closed outline");
   }
-  const double tolerance = scene.grid.spacing / 10;
+  const double tolerance = finest_spacing(scene.grid) / 10;
   for (const Point& point : membrane.points) {
     const double distance = distance_to_outline(body->shape, point);
     if (distance <= tolerance) continue;
@@ -39,7 +40,7 @@ void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std
   const BodySpec* body = find_body(scene, membrane.body);
   if (!membrane.closed || !body || !report.healthy(key) || !report.healthy("bodies")) return;
   const Shape drawn = membrane.points.empty() ? body->shape : Shape{PolygonShape{membrane.points}};
-  const std::size_t segments = outline(drawn, scene.grid.spacing / membrane.segments_per_cell).size();
+  const std::size_t segments = outline(drawn, finest_spacing(scene.grid) / membrane.segments_per_cell).size();
   const std::size_t most = (segments - 1) / 2;
   if (static_cast<std::size_t>(membrane.averaging_segments) <= most) return;
   report.add(key + ".averaging_segments", std::to_string(membrane.averaging_segments),
@@ -56,7 +57,7 @@ void check_membranes(const Scene& scene, Report& report) {
     const bool known = check_reference(key + ".body", membrane.body, names_of(scene.bodies), "bodies", report);
     if (!report.healthy(key + ".points") || !report.healthy(key + ".closed") || !report.healthy("dimension")) continue;
     check_count(membrane, key, report);
-    if (!known || !report.healthy("grid.spacing")) continue;
+    if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
     check_averaging(scene, membrane, key, report);
   }

@@ -3,6 +3,8 @@
 
 #include "../grid/seams.hpp"
 
+#include <geodrop/graded_axis.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,12 +48,47 @@ bool check_axis(const GridSpec& grid, std::size_t axis, Report& report) {
     report.add("grid.upper", to_text(grid.upper), "larger than grid.lower " + to_text(grid.lower) + " along each axis");
     return false;
   }
-  if (count >= 1 - kRounding && std::abs(count - std::round(count)) <= kRounding) return true;
+  const bool graded = std::any_of(grid.refine.begin(), grid.refine.end(),
+                                  [&](const RefineSpec& zone) { return zone.axis == static_cast<int>(axis); });
+  if (graded || (count >= 1 - kRounding && std::abs(count - std::round(count)) <= kRounding)) return true;
   const double nearest = length / std::max(1.0, std::round(count));
   report.add("grid.spacing", to_text(grid.spacing),
              "a spacing that divides the domain, " + to_text(length) + " m along " + std::string(1, "xyz"[axis]) +
                  "; the nearest is " + to_text(nearest) + " [m]");
   return false;
+}
+
+/// A zone of finer cells: along an axis that can have one, inside the domain, and finer.
+void check_zone(const Scene& scene, const RefineSpec& zone, const std::string& key, Report& report) {
+  const GridSpec& grid = scene.grid;
+  const std::size_t axis = zone.axis;
+  const double lower = grid.lower[axis], upper = grid.upper[axis];
+  if (zone.to <= zone.from)
+    report.add(key + ".to", to_text(zone.to), "above from = " + to_text(zone.from) + " [m]");
+  else if (zone.from < lower || zone.to > upper)
+    report.add(key + (zone.from < lower ? ".from" : ".to"), to_text(zone.from < lower ? zone.from : zone.to),
+               "a zone inside the grid, from " + to_text(lower) + " to " + to_text(upper) + " [m]");
+  if (zone.spacing >= grid.spacing)
+    report.add(key + ".spacing", to_text(zone.spacing),
+               "below the spacing of the grid, " + to_text(grid.spacing) + " [m]");
+  if (report.healthy("walls") && scene.walls.lower[axis] == WallKind::periodic)
+    report.add(key + ".axis", "an axis between periodic walls", "an axis between walls that are not periodic");
+}
+
+void check_zones(const Scene& scene, Report& report) {
+  std::vector<int> seen;
+  for (std::size_t i = 0; i < scene.grid.refine.size(); ++i) {
+    const RefineSpec& zone = scene.grid.refine[i];
+    const std::string& key = report.element("grid.refine", i);
+    if (scene.grid.basis != Basis::bspline2) {
+      report.add(key, "a zone of finer cells on a basis with cells of one size", "basis = \"bspline2\", or no zone");
+      return;
+    }
+    if (std::find(seen.begin(), seen.end(), zone.axis) != seen.end())
+      report.add(key + ".axis", "a second zone along the same axis", "at most one zone along each axis");
+    seen.push_back(zone.axis);
+    check_zone(scene, zone, key, report);
+  }
 }
 
 /// Simplices have no affine transfer (kernels/bases.hpp).
@@ -67,6 +104,15 @@ void check_transfer(const Scene& scene, Report& report) {
 
 }  // namespace
 
+namespace {
+
+/// Along a graded axis those that the closed form gives, also where they are too many to be built.
+double cells_along(const GridSpec& grid, std::size_t axis) {
+  return AxisMap(grid, static_cast<int>(axis)).wanted_cells();
+}
+
+}  // namespace
+
 void check_grid(const Scene& scene, Report& report) {
   if (!report.healthy("grid")) return;
   constexpr double kMostCells = 2e8;
@@ -75,9 +121,9 @@ void check_grid(const Scene& scene, Report& report) {
   double cells = 1;
   for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) {
     if (!check_axis(grid, axis, report)) return;
-    cells *= (grid.upper[axis] - grid.lower[axis]) / grid.spacing;
   }
-  if (cells <= kMostCells) return;
+  for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) cells *= cells_along(grid, axis);
+  if (cells <= kMostCells) return check_zones(scene, report);
   const auto count = [&](double n) {
     return to_text(std::round(n / 1e6)) + " million cells, about " + to_text(std::round(n * kBytesPerCell / 1e9)) +
            " GB of memory for the grid";

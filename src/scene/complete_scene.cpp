@@ -143,23 +143,24 @@ class TableWalker {
         !key.allowed.holds(static_cast<double>(list->size()))) {
       return wrong_form(key, node, path);
     }
+    const std::string section = join_path(section_, key.name);
     toml::array completed;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list->size(); ++i) {
       const toml::table& table = *list->get(i)->as_table();
-      const std::string element_path = join_path(path, element_name(key, table, i, names));
+      const std::string element_path = join_path(path, element_name(section, table, i, names));
       report_.place(element_path, to_ref(table));
       report_.add_element(path, element_path);
-      completed.push_back(TableWalker(table, key.name, element_path, dimension_, report_).complete());
+      completed.push_back(TableWalker(table, section, element_path, dimension_, report_).complete());
     }
     out_.insert_or_assign(key.name, std::move(completed));
     return true;
   }
 
   /// The element's own name if it has one that no element before it has, else its index.
-  static std::string element_name(const Key& key, const toml::table& table, std::size_t index,
+  static std::string element_name(std::string_view section, const toml::table& table, std::size_t index,
                                   std::set<std::string>& names) {
-    const auto name = table[find_section(key.name).id_key].value<std::string>();
+    const auto name = table[find_section(section).id_key].value<std::string>();
     return name && is_identifier(*name) && names.insert(*name).second ? *name : std::to_string(index);
   }
 

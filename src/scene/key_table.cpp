@@ -32,6 +32,7 @@ constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart)
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
 constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 constexpr Range free_text{"any text", [](double) { return true; }};
+constexpr Range growth_range{"> 1 and <= 1.5", [](double x) { return x > 1 && x <= 1.5; }};
 constexpr Range some{"at least one", [](double length) { return length > 0; }};
 constexpr Range maybe_none{"may be empty", [](double) { return true; }};
 constexpr Range one_table{"a table", [](double) { return true; }};
@@ -43,6 +44,11 @@ constexpr Range words(std::string_view choices) { return {choices}; }
 constexpr Section sections[] = {
     {"", "Top level", "", "What the scene is about, and its tables."},
     {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
+    {"grid.refine", "[[grid.refine]]", "axis",
+     "Finer cells along an axis, at most one zone each, with basis = \"bspline2\" only. Outside of the zone cells grow by "
+     "`growth` from one to the next until they are `spacing` of the grid wide; all are scaled down a little, so that a "
+     "whole number of them fits. Where they stand then is no concern of bodies: cells that an outline cuts get particles of "
+     "their share. The time step is that of the finest cell, and membranes have nodes that suit it."},
     {"walls", "[walls]", "",
      "How the four sides of the domain (3D: six) hold what touches them. The last axis is the vertical one, so bottom "
      "and top are the ends of y in 2D and of z in 3D. Walls never let go: no_slip holds material in all directions, "
@@ -91,8 +97,16 @@ constexpr Key keys[] = {
 
     {"grid", "lower", point, "m", "", required, any, "lower corner of the domain"},
     {"grid", "upper", point, "m", "", required, any, "upper corner of the domain"},
-    {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain"},
+    {"grid", "spacing", real, "m", "", required, positive, "cell size h; it divides the domain (along axes that are not refined)"},
     {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2|gimp|linear|tri3|tet4"), "shape functions: quadratic B-splines; hat functions averaged over the particles' domains (uGIMP); hat functions; cells split into linear triangles (2D) or tetrahedra (3D)"},
+    {"grid", "refine", table_list, "", "", standard("[]"), maybe_none, "zones of finer cells"},
+
+    {"grid.refine", "axis", choice, "", "", required, words("x|y"), "along which cells are finer", 2},
+    {"grid.refine", "axis", choice, "", "", required, words("x|y|z"), "along which cells are finer", 3},
+    {"grid.refine", "from", real, "m", "", required, any, "where the zone begins"},
+    {"grid.refine", "to", real, "m", "", required, any, "where it ends"},
+    {"grid.refine", "spacing", real, "m", "", required, positive, "width of the cells in the zone, below that of the grid"},
+    {"grid.refine", "growth", real, "", "", standard("1.1"), growth_range, "width of a cell over that of the next finer one, outside of the zone"},
 
     {"walls", "left", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower x; never lets go"},
     {"walls", "right", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper x; never lets go"},

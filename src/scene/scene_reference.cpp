@@ -25,7 +25,9 @@ against (`src/scene/key_table.cpp`), so it says what the program does.
 - `dimension = 2` is plane strain in x and y, per metre of depth; `dimension = 3` is space. Points have as many numbers as
   the scene has dimensions. The last axis is the vertical one: y in 2D, z in 3D. Membranes are in 2D only.
 
-Further checks, across keys: the spacing divides the domain (walls stand on grid lines); bodies lie inside the domain,
+Further checks, across keys: the spacing divides the domain (walls stand on grid lines) along axes without
+a zone of finer cells; such a zone lies inside the domain, has finer cells than the grid, and neither periodic walls nor
+a second zone on its axis; bodies lie inside the domain,
 have area (3D: volume) left, and do not overlap (`minus` cuts one out of another; a half-plane or half-space is cut off
 by the domain); names
 that are referred to exist; names of bodies, membranes and probes differ, as do those of results; the points of a

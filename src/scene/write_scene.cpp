@@ -33,8 +33,7 @@ void for_each_value(const toml::table& table, const std::string& section, Visit 
   std::set<std::string_view> written;
   for (const Key* key : keys_of(section)) {
     const toml::node* node = table.get(key->name);
-    const bool has_header = key->kind == Kind::named_tables || key->kind == Kind::table_list ||
-                            (section.empty() && node && node->is_table());
+    const bool has_header = section.empty() && node && (node->is_table() || key->kind == Kind::table_list);
     if (node && !has_header && written.insert(key->name).second)
       visit(std::string(key->name) + " = " + value_text(*key, *node));
   }

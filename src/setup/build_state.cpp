@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/exact.hpp>
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/pipeline.hpp>
 #include <geodrop/shapes.hpp>
 #include <numbers>
@@ -74,6 +75,8 @@ void fill_stretched(Scene scene, BodySpec spec, const UniformMotion<Dim>& motion
   for (int a = 0; a < Dim; ++a)
     for (Point* corner : {&box.lower, &box.upper, &scene.grid.lower, &scene.grid.upper})
       (*corner)[a] /= motion.stretch[a];
+  for (RefineSpec& zone : scene.grid.refine)
+    for (double* end : {&zone.from, &zone.to}) *end /= motion.stretch[zone.axis];
   fill_particles(scene, spec, body);
   for (int a = 0; a < Dim; ++a)
     for (double& x : body.x[a]) x *= motion.stretch[a];
@@ -143,7 +146,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.strength = spec.strength;
   membrane.averaging_segments = spec.averaging_segments;
   membrane.half_size = 0.5 / spec.segments_per_cell;
-  const double spacing = scene.grid.spacing / spec.segments_per_cell;
+  const double spacing = finest_spacing(scene.grid) / spec.segments_per_cell;
   const Shape drawn = spec.points.empty() ? body_named(scene, spec.body).shape : Shape{PolygonShape{spec.points}};
   const std::vector<Point> nodes =
       spec.points.empty() || spec.closed ? outline(drawn, spacing) : divide_polyline(spec.points, spacing);

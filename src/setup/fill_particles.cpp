@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/error.hpp>
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/measure.hpp>
 #include <geodrop/shapes.hpp>
 #include <numeric>
@@ -23,19 +24,35 @@ template <int Dim>
 class Lattice {
  public:
   Lattice(const Scene& scene, const BodySpec& spec)
-      : origin_(scene.grid.lower), width_(scene.grid.spacing / spec.particles_per_cell_axis) {
+      : origin_(scene.grid.lower),
+        width_(scene.grid.spacing / spec.particles_per_cell_axis),
+        per_cell_(spec.particles_per_cell_axis) {
+    for (int a = 0; a < Dim; ++a) {
+      maps_.emplace_back(scene.grid, a);
+      find_edges(a);
+    }
     constexpr double rounding = 1e-9;
     const Bounds box = bounds(spec.shape);
     for (int a = 0; a < Dim; ++a) {
       const double low = std::max(box.lower[a], origin_[a]), high = std::min(box.upper[a], scene.grid.upper[a]);
-      first_[a] = static_cast<std::int64_t>(std::floor((low - origin_[a]) / width_ + rounding));
-      const auto end = static_cast<std::int64_t>(std::ceil((high - origin_[a]) / width_ - rounding));
+      first_[a] = static_cast<std::int64_t>(std::floor(site_at(a, low) + rounding));
+      const auto end = static_cast<std::int64_t>(std::ceil(site_at(a, high) - rounding));
       count_[a] = std::max<std::int64_t>(0, end - first_[a]);
     }
   }
 
-  double width() const { return width_; }
-  double site_volume() const { return std::pow(width_, Dim); }
+  /// Widths of a site along the axes [m].
+  std::array<double, Dim> widths(std::int64_t site) const {
+    std::array<double, Dim> width;
+    for (int a = 0; a < Dim; site /= count_[a], ++a) width[a] = width_of(a, first_[a] + site % count_[a]);
+    return width;
+  }
+  double volume(std::int64_t site) const {
+    if (uniform()) return std::pow(width_, Dim);
+    double product = 1;
+    for (const double width : widths(site)) product *= width;
+    return product;
+  }
   std::int64_t size() const {
     std::int64_t total = 1;
     for (const std::int64_t n : count_) total *= n;
@@ -44,9 +61,11 @@ class Lattice {
 
   void get_site(std::int64_t site, Bounds& out) const {
     for (int a = 0; a < Dim; site /= count_[a], ++a) {
-      const double centre = origin_[a] + (static_cast<double>(first_[a] + site % count_[a]) + 0.5) * width_;
-      out.lower[a] = centre - width_ / 2;
-      out.upper[a] = centre + width_ / 2;
+      const std::int64_t i = first_[a] + site % count_[a];
+      const double centre = edges_[a].empty() ? origin_[a] + (static_cast<double>(i) + 0.5) * width_
+                                              : (edges_[a][i] + edges_[a][i + 1]) / 2;
+      out.lower[a] = centre - width_of(a, i) / 2;
+      out.upper[a] = centre + width_of(a, i) / 2;
     }
   }
 
@@ -67,8 +86,8 @@ class Lattice {
     Bounds box{Point(Dim), Point(Dim)};
     for (int a = 0; a < Dim; block /= blocks_along(count_[a]), ++a) {
       const std::int64_t first = first_[a] + block % blocks_along(count_[a]) * block_width;
-      box.lower[a] = origin_[a] + static_cast<double>(first) * width_;
-      box.upper[a] = origin_[a] + static_cast<double>(first + block_width) * width_;
+      box.lower[a] = edge(a, first);
+      box.upper[a] = edge(a, first + block_width);
     }
     return box;
   }
@@ -93,8 +112,32 @@ class Lattice {
   static constexpr std::int64_t block_width = 8;
   static std::int64_t blocks_along(std::int64_t sites) { return (sites + block_width - 1) / block_width; }
 
+  /// Along a graded axis sites are even in the grid coordinate: with an even number a cell, none crosses a knot.
+  void find_edges(int axis) {
+    const AxisMap& map = maps_[axis];
+    if (!map.graded()) return;
+    for (int i = 0; i <= map.cells() * per_cell_; ++i)
+      edges_[axis].push_back(map.to_space(static_cast<double>(i) / per_cell_));
+  }
+  bool uniform() const {
+    return std::all_of(edges_.begin(), edges_.end(), [](const auto& edges) { return edges.empty(); });
+  }
+  double site_at(int axis, double x) const {
+    return edges_[axis].empty() ? (x - origin_[axis]) / width_ : maps_[axis].to_grid(x) * per_cell_;
+  }
+  double edge(int axis, std::int64_t i) const {
+    if (edges_[axis].empty()) return origin_[axis] + static_cast<double>(i) * width_;
+    return edges_[axis][std::min<std::size_t>(i, edges_[axis].size() - 1)];
+  }
+  double width_of(int axis, std::int64_t i) const {
+    return edges_[axis].empty() ? width_ : edges_[axis][i + 1] - edges_[axis][i];
+  }
+
   Point origin_;
   double width_;
+  std::array<std::vector<double>, Dim> edges_;  ///< of the sites along graded axes [m]
+  std::vector<AxisMap> maps_;
+  int per_cell_;
   std::array<std::int64_t, Dim> first_, count_;
 };
 
@@ -139,7 +182,9 @@ void hand_over(const Lattice<Dim>& lattice, std::vector<Portion<Dim>> small, std
         if (!nearest || gap(portion) < gap(*nearest)) nearest = &portion;
       });
       if (!nearest) return false;
-      merge(nearest->part, crumb.part);
+      SiteShare<Dim> part = crumb.part;
+      part.share *= lattice.volume(crumb.site) / lattice.volume(nearest->site);
+      merge(nearest->part, part);
       owner.emplace(crumb.site, static_cast<std::size_t>(nearest - portions.data()));
       return true;
     });
@@ -194,8 +239,8 @@ void jitter(const Lattice<Dim>& lattice, const BodyRegion& region, const BodySpe
   std::mt19937_64 generator(spec.jitter_seed);
   Bounds site{Point(Dim), Point(Dim)};
   for (Portion<Dim>& portion : portions) {
-    std::array<double, Dim> offset;
-    for (double& c : offset) c = spec.jitter * lattice.width() * symmetric_random(generator);
+    std::array<double, Dim> offset = lattice.widths(portion.site);
+    for (double& c : offset) c = spec.jitter * c * symmetric_random(generator);
     auto& at = portion.part.centroid;
     Point x(Dim);
     for (int a = 0; a < Dim; ++a) x[a] = at[a] + offset[a];
@@ -255,7 +300,7 @@ void fill_particles(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
   body.J.resize(n);
   for (auto& component : body.x) component.resize(n);
   for (std::size_t p = 0; p < n; ++p) {
-    body.J[p] = portions[p].part.share * lattice.site_volume();
+    body.J[p] = portions[p].part.share * lattice.volume(portions[p].site);
     for (int a = 0; a < Dim; ++a) body.x[a][p] = portions[p].part.centroid[a];
   }
   number_layers(body, spec.layers);

@@ -142,3 +142,25 @@ TEST_CASE("On a no-slip wall all velocity is zero; ghosts move the other way") {
     CHECK(v[layout.index({1, 2})][c] != 0);
   }
 }
+
+TEST_CASE("On graded axes a node is light by what its own spline holds") {
+  Scene scene = graded_scene<2>(12, 0.5, WallKind::slip, Transfer::blend);
+  scene.bodies[0].pressure = PressureSupport::particle;
+  Grid<2> grid = make_grid<2>(scene);
+  State<2> state;
+  activate_all_blocks(state, grid.layout);
+  const std::array<int, 2> fine{grid.layout.base(0, 1.65), grid.layout.base(1, 2.7)};
+  const double own = grid.light_mass * grid.layout.spline_width(0, fine[0]) * grid.layout.spline_width(1, fine[1]);
+  CHECK(own < 0.1 * grid.light_mass);
+  const int node = grid.layout.index(fine);
+  grid.sum[node][3] = 2 * own;
+  grid.force[node][0] = 1;
+  update_momentum<2>(state, grid, {0, 0}, dt);
+  CHECK(grid.velocity[node][0] == doctest::Approx(dt / (2 * own)).epsilon(1e-12));
+  // Half as heavy as light, it keeps half of its impulse, and with it the velocity of a light node.
+  grid.sum[node][3] = 0.5 * own;
+  grid.force[node + 1] = Vec4{};
+  grid.sum[node + 1][3] = 1e3 * own;
+  update_momentum<2>(state, grid, {0, 0}, dt);
+  CHECK(grid.velocity[node][0] == doctest::Approx(dt / own).epsilon(2e-3));
+}

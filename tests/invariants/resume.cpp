@@ -62,6 +62,19 @@ TEST_CASE("In space: stopped by --until and resumed on other threads, the same h
   CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
 }
 
+TEST_CASE("On graded axes: stopped by --until and resumed on other threads, the same hash and history") {
+  std::vector<std::string> graded = settings;
+  graded.push_back("grid.refine=[{axis='x',from=-1.5,to=1.5,spacing=0.25}]");
+  graded.push_back("time.end=0.05");
+  const Left whole(SceneRun(scene, graded, {"--threads", "1"}));
+  SceneRun run(scene, graded, {"--threads", "2", "--until", "0.021"});
+  CHECK(run.outcome().code == 0);
+  CHECK(run.hash() != whole.hash);
+  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
+  CHECK(run.hash() == whole.hash);
+  CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};

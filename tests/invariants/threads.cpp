@@ -86,3 +86,15 @@ TEST_CASE("The other bases in space: one hash for 1, 2, 3 and 5 threads") {
 TEST_CASE("Shifting water in space: one hash for 1, 2, 3 and 5 threads") {
   check_threads("cases/hydrostatic_column_3d.toml", {"time.end=0.1"});
 }
+
+TEST_CASE("Graded axes: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("cases/dump_kekerdom.toml",
+                {"grid.spacing=0.5", "time.end=0.05",
+                 "grid.refine=[{axis='x',from=-1.5,to=1.5,spacing=0.25},{axis='y',from=5.0,to=13.0,spacing=0.25}]"});
+}
+
+TEST_CASE("Graded axes in space: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("cases/hydrostatic_column_3d.toml", {"time.end=0.1",
+                                                     "grid.refine=[{axis='y',from=0.5,to=0.7,spacing=0.0625},"
+                                                     "{axis='z',from=1.8,to=2.1,spacing=0.07,growth=1.3}]"});
+}

@@ -66,7 +66,8 @@ struct RandomBox {
   Body<Dim> body = random_body<Dim>(333, 1.51 * h, 10.49 * h, random);
   Grid<Dim> grid;
   explicit RandomBox(Transfer transfer) {
-    Scene scene = box_scene<Dim>(12, h, WallKind::slip, transfer);
+    constexpr auto make_scene = is_graded<Policy> ? graded_scene<Dim> : box_scene<Dim>;
+    Scene scene = make_scene(12, h, WallKind::slip, transfer);
     scene.grid.basis = name_of<Dim, Policy>();
     grid = make_grid<Dim>(scene);
     body.half_size = 0.2;
@@ -81,7 +82,7 @@ void check_linear_field() {
     for (int b = 0; b < Dim; ++b) L(a, b) = box.random.uniform(-2, 2);
   for_each_node(box.grid.layout, 2, [&](int flat, const std::array<int, Dim>& i) {
     for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b) box.grid.velocity[flat][a] += L(a, b) * i[b] * h;
+      for (int b = 0; b < Dim; ++b) box.grid.velocity[flat][a] += L(a, b) * box.grid.layout.node(b, i[b]);
   });
   const Body<Dim> before = box.body;
   constexpr Transfer transfer = has_affine<Policy> ? Transfer::tpic : Transfer::musl;
@@ -100,7 +101,7 @@ void check_linear_field() {
     }
     worst = std::max(worst, std::abs(box.body.J[p] / before.J[p] - 1 - dt * L.trace()));
   }
-  CHECK(worst < 1e-12);
+  CHECK(worst < (is_graded<Policy> ? 4e-12 : 1e-12));  // slopes of narrow cells are steeper
 }
 
 template <int Dim, class Policy>
@@ -187,18 +188,19 @@ TEST_CASE("GIMP ends at the quadratic spline for domains of a whole cell, at the
   }
 }
 
-TEST_CASE_TEMPLATE("A linear velocity comes back exactly", Policy, Bspline2, Gimp, Linear, Simplex) {
+TEST_CASE_TEMPLATE("A linear velocity comes back exactly", Policy, Bspline2, GradedBspline2, Gimp, Linear, Simplex) {
   check_linear_field<2, Policy>();
   check_linear_field<3, Policy>();
 }
 
-TEST_CASE_TEMPLATE("Mass and momentum arrive whole, stresses have no resultant", Policy, Bspline2, Gimp, Linear,
-                   Simplex) {
+TEST_CASE_TEMPLATE("Mass and momentum arrive whole, stresses have no resultant", Policy, Bspline2, GradedBspline2, Gimp,
+                   Linear, Simplex) {
   check_conservation<2, Policy>();
   check_conservation<3, Policy>();
 }
 
-TEST_CASE_TEMPLATE("The gradient is the adjoint of the force", Policy, Bspline2, Gimp, Linear, Simplex) {
+TEST_CASE_TEMPLATE("The gradient is the adjoint of the force", Policy, Bspline2, GradedBspline2, Gimp, Linear,
+                   Simplex) {
   check_adjoint<2, Policy>();
   check_adjoint<3, Policy>();
 }

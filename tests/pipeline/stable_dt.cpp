@@ -106,3 +106,12 @@ TEST_CASE("A time step that would never reach the end is an error of the run") {
   each.state.v_max = 1e3;
   CHECK(error_of(each).empty());
 }
+
+TEST_CASE("On graded axes the finest cell limits the step") {
+  Case each;
+  each.scene.grid.refine = {{0, 0.5, 1.5, 0.05, 1.2, {}}};
+  each.layout = GridLayout<2>(each.scene.grid, each.scene.walls);
+  CHECK(each.layout.finest == finest_spacing(each.scene.grid));
+  CHECK(each.dt() == doctest::Approx(0.5 * each.layout.finest / 50).epsilon(1e-14));
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.05 / 50).epsilon(0.05));
+}

@@ -50,7 +50,7 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
   for (const Mistake& mistake : {
            Mistake{"grid.spacng=1",
                    ": --set: grid.spacng: found an unknown key; allowed: one of \"lower\", \"upper\", \"spacing\", "
-                   "\"basis\"; the nearest is \"spacing\""},
+                   "\"basis\", \"refine\"; the nearest is \"spacing\""},
            Mistake{"gird.spacing=1", ": --set: gird: found an unknown key"},
            Mistake{"materials.wter.viscosity=1", ": --set: materials.wter.viscosity: found \"wter\""},
            Mistake{"bodies.bog.jitter=0", "the nearest is \"bag\"; or an index from 0 to 6"},

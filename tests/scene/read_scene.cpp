@@ -17,6 +17,7 @@ Scene without_places(Scene scene) {
   const auto clear = [](auto& list) {
     for (auto& element : list) element.at = {};
   };
+  clear(scene.grid.refine);
   clear(scene.materials);
   clear(scene.bodies);
   clear(scene.membranes);
@@ -47,6 +48,10 @@ TEST_CASE("numerics as written") {
   CHECK(scene.gravity == Point{0, -9.81});
   CHECK(scene.grid.upper == Point{10, 10});
   CHECK(scene.grid.spacing == 0.5);
+  REQUIRE(scene.grid.refine.size() == 1);
+  const RefineSpec& zone = scene.grid.refine[0];
+  CHECK(zone == RefineSpec{0, 4.0, 6.0, 0.04, 1.2, zone.at});
+  CHECK(zone.at.line > 200);
   CHECK(scene.walls.lower == std::vector{WallKind::slip, WallKind::no_slip});  // left, bottom
   CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
   CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.5});

@@ -45,6 +45,16 @@ Scene box_scene(int cells, double h, WallKind wall, Transfer transfer = Transfer
   return scene;
 }
 
+/// The same box with cells of another width along every axis, four times finer somewhere: the zones differ.
+template <int Dim>
+Scene graded_scene(int cells, double h, WallKind wall, Transfer transfer = Transfer::tpic) {
+  Scene scene = box_scene<Dim>(cells, h, wall, transfer);
+  for (int a = 0; a < Dim; ++a)
+    scene.grid.refine.push_back(
+        {a, (0.2 + 0.15 * a) * cells * h, (0.35 + 0.2 * a) * cells * h, h / 4, 1.3 - 0.1 * a, {}});
+  return scene;
+}
+
 /// An empty body of `n` particles with all arrays that a law other than Newtonian needs.
 template <int Dim>
 Body<Dim> blank_body(const Material& material, std::size_t n) {
