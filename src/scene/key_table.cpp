@@ -45,9 +45,11 @@ constexpr Section sections[] = {
     {"", "Top level", "", "What the scene is about, and its tables."},
     {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
     {"grid.refine", "[[grid.refine]]", "axis",
-     "Finer cells along an axis, at most one zone each, with basis = \"bspline2\" only. Outside of the zone cells grow by "
+     "Finer cells along an axis, at most one zone each, with basis = \"bspline2\" only. Outside of the zone cells grow "
+     "by "
      "`growth` from one to the next until they are `spacing` of the grid wide; all are scaled down a little, so that a "
-     "whole number of them fits. Where they stand then is no concern of bodies: cells that an outline cuts get particles of "
+     "whole number of them fits. Where they stand then is no concern of bodies: cells that an outline cuts get "
+     "particles of "
      "their share. The time step is that of the finest cell, and membranes have nodes that suit it."},
     {"walls", "[walls]", "",
      "How the four sides of the domain (3D: six) hold what touches them. The last axis is the vertical one, so bottom "
