@@ -80,8 +80,10 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
       const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
-      store_sums<Dim, transfer>(body, sums_of<Dim, Basis, transfer>(grid, weights, k), options, shift, p + k, k, rates);
+      store_sums<Dim, transfer>(sums_of<Dim, Basis, transfer>(grid, weights, k), options.dt, body.shift, shift, k,
+                                rates);
     }
+    if constexpr (transfer != Transfer::musl) store_affine(body, rates, options.damping / options.dt, p, count);
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);
     if constexpr (is_graded<Basis>)
@@ -90,6 +92,7 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     finish_chunk(body, grid.layout, old_x, p, count, maxima);
     strain_chunk<Dim>(body, rates, options.dt, p, count);
   }
+  _mm_sfence();  // streamed stores reach the other threads before what comes after
   return maxima;
 }
 
