@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Takes all committed results of this machine anew: perf/take_results.sh MACHINE, e.g. zen4-2core. About 15 minutes on an
+# Takes all committed results of this machine anew: perf/take_results.sh MACHINE, e.g. zen4-2core. About an hour on an
 # otherwise idle machine; load.txt tells whether it was one.
 set -euo pipefail
 machine=${1:?usage: perf/take_results.sh MACHINE}
@@ -30,4 +30,5 @@ awk -F, 'FNR == 1 { for (c = 1; c <= NF; ++c) at[$c] = c; if (NR > 1) next }
 ./geodrop bench --growth --output "$scratch"
 mv "$scratch/growth.csv" "$results/growth.csv"
 perf/plot_growth.py "$results/growth.csv"
+perf/work_precision.py "$results"
 echo "after: $(load)" >>"$results/load.txt"

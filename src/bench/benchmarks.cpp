@@ -144,7 +144,11 @@ std::vector<Benchmark> all_benchmarks() {
             std::string(short_name(material)) + "_" + std::to_string(dimension) + "d_" + name_of(basis) + suffix;
         all.push_back({name, dimension, basis, material, transfer, pressure});
       };
-      for (const BenchMaterial material : shipped_materials) add(material, "", plain, PressureSupport::particle);
+      for (const BenchMaterial material : shipped_materials) {
+        // A free corner of rubber on hat functions tears itself apart within 40 steps unless MUSL holds it.
+        const bool tears = basis == Basis::linear && material == BenchMaterial::rubber;
+        add(material, "", tears ? Transfer::musl : plain, PressureSupport::particle);
+      }
       const PressureSupport average = average_of(basis);
       for (const BenchMaterial material : {BenchMaterial::water, BenchMaterial::soil})
         add(material, "_" + name_of(average), plain, average);

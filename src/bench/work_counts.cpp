@@ -1,5 +1,7 @@
 #include "work_counts.hpp"
 
+#include <cmath>
+
 namespace geodrop {
 namespace {
 
@@ -109,12 +111,12 @@ double pressure_flops(PressureSupport pressure, int d, const TransferCost& trans
   return 0;
 }
 
-bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
-
-/// Simplices give the new velocity back to the grid before the gradient is taken: weights twice more, the velocity
+/// MUSL gives the new velocity back to the grid before the gradient is taken: weights twice more, the velocity
 /// gathered, momentum 4 lanes a node.
-double remap_flops(int d, const TransferCost& transfer) {
-  return 2 * transfer.weights + transfer.gather + (d + 1) * 4 * lanes;
+double remap_flops(Basis basis, int d, const TransferCost& transfer) {
+  const bool simplex = basis == Basis::tri3 || basis == Basis::tet4;
+  const double nodes = simplex ? d + 1 : std::pow(basis == Basis::linear ? 2 : 3, d);
+  return 2 * transfer.weights + transfer.gather + nodes * 4 * lanes;
 }
 
 double flops_of(const WorkKind& kind, const LawCost& law) {
@@ -125,7 +127,7 @@ double flops_of(const WorkKind& kind, const LawCost& law) {
   flops += d + d * (3 * lanes + d) + (blend ? 0 : acting);                   // make_record; stress times dt
   flops += d * (2 * lanes + 1 + 3 + (blend ? 5 : 0) + 4);                    // store_sums, move_chunk, finish_chunk
   flops += (d == 2 ? law.carried_2d : law.carried_3d) + (d == 2 ? law.update_2d : law.update_3d);
-  if (is_simplex(kind.basis)) flops += remap_flops(d, transfer);
+  if (kind.transfer == Transfer::musl) flops += remap_flops(kind.basis, d, transfer);
   return flops + pressure_flops(kind.pressure, d, transfer);
 }
 
@@ -145,7 +147,7 @@ double doubles_moved(const WorkKind& kind, const LawCost& law) {
                          : kind.pressure == PressureSupport::nodal ? volume_and_pressure + d + 2
                                                                    : 0;
   // Positions twice, velocity and affine rate written and read, mass.
-  const double remap = is_simplex(kind.basis) ? 2 * d + 2 * (d + d * d) + 1 : 0;
+  const double remap = kind.transfer == Transfer::musl ? 2 * d + 2 * (d + d * d) + 1 : 0;
   const double kept = 2 * d + d * d + 2 + stress + law.strains + law.pores + deformation;
   return scatter + gather + average + remap + 2 * kept / steps_per_sort;
 }

@@ -38,7 +38,8 @@ Moved move_block(const Benchmark& bench) {
 
 WorkCount work(int dimension, Basis basis, BenchMaterial material = BenchMaterial::water,
                PressureSupport pressure = PressureSupport::particle) {
-  return work_of({dimension, basis, material, Transfer::tpic, pressure});
+  const bool simplex = basis == Basis::tri3 || basis == Basis::tet4;
+  return work_of({dimension, basis, material, simplex ? Transfer::musl : Transfer::tpic, pressure});
 }
 
 }  // namespace
