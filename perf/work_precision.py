@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Error against wall time: runs the verification scenes with exact solutions over bases, transfers and resolutions, writes
-work_precision.csv and prints tables with observed orders. Wall time is of the stepping loop, best of three runs, without
+work_precision.csv and prints tables with observed orders. Wall time is of the stepping loop, best of --runs, without
 the evaluation of the force that drives the manufactured solution.
 
-    perf/work_precision.py OUTPUT_DIR [--threads N] [--case mms|vortices] [--only NAME]
+    perf/work_precision.py OUTPUT_DIR [--threads N] [--case mms_small|mms|vortices] [--runs N] [--only NAME]
 """
 import argparse
 import csv
@@ -14,7 +14,6 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-RUNS = 3
 
 PAPERS_ELEMENT = ["grid.basis=tri3", "solver.transfer=musl"]
 # name: settings, for each of the bases and for the transfers on the default basis
@@ -41,7 +40,9 @@ VORTICES = {
     "tri3, no cure, MUSL 10": PAPERS_ELEMENT
     + ["bodies.water.pressure=particle", "bodies.water.shift=false", "bodies.water.shift_speed="],
 }
+SMALL = {name: ["exact.block.amplitude=0.01", *settings] for name, settings in MMS.items()}
 CASES = {
+    "mms_small": ("cases/verification/mms_axis_aligned.toml", "displacement_error_rms_m", SMALL),
     "mms": ("cases/verification/mms_axis_aligned.toml", "displacement_error_rms_m", MMS),
     "vortices": ("cases/verification/taylor_green.toml", "velocity_error_rms_ratio", VORTICES),
 }
@@ -60,12 +61,12 @@ def run(scene, settings, threads, directory):
     return summary if summary["status"] == "done" else None
 
 
-def measure(case, name, spacing, threads):
+def measure(case, name, spacing, threads, runs):
     """One row: error and best wall time [s]; both infinite if the run broke."""
     scene, result, variants = CASES[case]
     row = {"case": case, "name": name, "spacing_m": spacing, "threads": threads, "error": math.inf, "wall_s": math.inf}
     with tempfile.TemporaryDirectory() as directory:
-        for _ in range(RUNS):
+        for _ in range(runs):
             summary = run(scene, [*variants[name], f"grid.spacing={spacing}"], threads, directory)
             if summary is None:
                 break
@@ -89,6 +90,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output", type=Path)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--case", choices=CASES)
     parser.add_argument("--only", default="")
     options = parser.parse_args()
@@ -98,7 +100,7 @@ def main():
         for name in CASES[case][2]:
             if options.only not in name:
                 continue
-            measured = [measure(case, name, spacing, options.threads) for spacing in SPACINGS]
+            measured = [measure(case, name, spacing, options.threads, options.runs) for spacing in SPACINGS]
             print_table(measured)
             rows += measured
     options.output.mkdir(parents=True, exist_ok=True)
