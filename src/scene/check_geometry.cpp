@@ -65,7 +65,6 @@ void check_shape(const BodySpec& body, const std::string& key, Report& report) {
     report.add(key + ".normal", to_text(half->normal), "a vector that is not zero");
 }
 
-/// The part of a body that is looked at: its box within the domain.
 Bounds common(const Bounds& a, const Bounds& b) {
   Bounds box = a;
   for (std::size_t axis = 0; axis < box.lower.size(); ++axis) {
@@ -131,7 +130,8 @@ class PlacementCheck {
       if (!is_ready(i)) continue;
       if (!check_inside(i) || !check_not_empty(i) || !check_particles(i)) continue;
       for (std::size_t j = 0; j < i; ++j) {
-        if (is_ready(j)) check_overlap(i, j);
+        // One that is cut out of the other shares no point with it, however finely one looks.
+        if (is_ready(j) && !cuts(i, j) && !cuts(j, i)) check_overlap(i, j);
       }
     }
   }
@@ -143,6 +143,15 @@ class PlacementCheck {
   bool is_ready(std::size_t i) const {
     return report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus");
   }
+
+  /// Body i has body j in its minus.
+  bool cuts(std::size_t i, std::size_t j) const {
+    return std::any_of(body(i).minus.begin(), body(i).minus.end(),
+                       [&](const std::string& name) { return find_body(scene_, name) == &body(j); });
+  }
+
+  /// The part of a body that is looked at: its box within the domain.
+  Bounds inside(std::size_t i) const { return common(bounds_within(body(i).shape, domain_), domain_); }
 
   bool covers(std::size_t i, const Point& x) const {
     if (!contains(body(i).shape, x)) return false;
@@ -167,7 +176,7 @@ class PlacementCheck {
   }
 
   bool check_not_empty(std::size_t i) {
-    const Bounds box = common(bounds(body(i).shape), domain_);
+    const Bounds box = inside(i);
     bool found = false;
     if (!is_empty(box, h_)) {
       Samples(box, h_).for_each([&](const Point& x) {
@@ -197,7 +206,7 @@ class PlacementCheck {
 
   void check_overlap(std::size_t i, std::size_t j) {
     constexpr double kAllowed = 0.01;  // of a cell: below any particle
-    const Bounds box = common(common(bounds(body(i).shape), bounds(body(j).shape)), domain_);
+    const Bounds box = common(inside(i), inside(j));
     if (is_empty(box, h_)) return;
     int hits = 0;
     Point where;

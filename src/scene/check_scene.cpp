@@ -71,7 +71,7 @@ void check_zone(const Scene& scene, const RefineSpec& zone, const std::string& k
   if (zone.spacing >= grid.spacing)
     report.add(key + ".spacing", to_text(zone.spacing),
                "below the spacing of the grid, " + to_text(grid.spacing) + " [m]");
-  if (report.healthy("walls") && scene.walls.lower[axis] == WallKind::periodic)
+  if (report.healthy("walls") && report.healthy("dimension") && scene.walls.lower[axis] == WallKind::periodic)
     report.add(key + ".axis", "an axis between periodic walls", "an axis between walls that are not periodic");
 }
 
