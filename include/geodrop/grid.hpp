@@ -105,7 +105,7 @@ struct Grid {
   Array<Vec4> force;  ///< force from stresses in lanes 0..Dim-1 [N]; 3D: volume in lane 3 [m3]. Without it, dt force is
                       ///< in `sum`
   Array<Vec4> velocity;         ///< v' in lanes 0..Dim-1 [m/s]; fill ratio in lane 3 where particles shift
-  Array<Vec4> velocity_change;  ///< v' - v [m/s]; only for Transfer::blend and musl, and with mass_correction
+  Array<Vec4> velocity_change;  ///< v' - v [m/s]; only for Transfer::blend and musl, with mass_correction and relaxation
 
   Array<Vec4>
       mass_correction;  ///< what the consistent mass matrix adds to both [m/s]; only with MassMatrix::consistent

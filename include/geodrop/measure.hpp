@@ -47,10 +47,20 @@ struct MembraneMeasures {
   Vec<Dim> tension_max_at = Vec<Dim>::Zero();                 ///< middle of the segment [m]
   double length = 0;                                          ///< of the line now [m]
   double area = 0;                                            ///< enclosed, 2D and closed only [m2]
+  double tension_deviation = 0;                               ///< standard deviation along the rest length [N/m]
+  Vec<Dim> lower = Vec<Dim>::Zero(), upper = Vec<Dim>::Zero();  ///< extremes of the nodes [m]
   double utilisation_max = 0;                                 ///< tension over strength [-]; NaN without strength
 };
 template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane);
+
+/// Size, tension and pressures of a closed membrane full of fluid.
+struct GeotubeMeasures {
+  double height = 0, width = 0;                  ///< of the membrane [m]
+  double pressure_bottom = 0, pressure_top = 0;  ///< of the fluid within a cell of its ends, carried on to them by its
+                                                 ///< weight; over the air outside [Pa]
+};
+GeotubeMeasures measure_geotube(const Scene& scene, const State<2>& state, const std::string& membrane);
 
 /// Energies [J], mass [kg], momentum [kg m/s] of everything, per metre of depth in 2D.
 template <int Dim>
@@ -66,6 +76,10 @@ struct Totals {
 };
 template <int Dim>
 Totals<Dim> measure(const State<Dim>& state, const Point& gravity);
+
+/// Kinetic energy of everything [J], per metre of depth in 2D.
+template <int Dim>
+double kinetic_energy(const State<Dim>& state);
 
 /// Difference of a body's pressure from a still fluid's, over its particles [Pa].
 struct PressureError {

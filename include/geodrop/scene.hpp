@@ -194,6 +194,23 @@ struct MembraneSpec {
   bool operator==(const MembraneSpec&) const = default;
 };
 
+// --- Contact -----------------------------------------------------------------------------------
+/// Rigid ground or wall that does not move: the half-plane behind its boundary.
+struct RigidSpec {
+  std::string name;
+  HalfPlaneShape shape;  ///< its normal points out of the rigid body
+  SourceRef at;
+  bool operator==(const RigidSpec&) const = default;
+};
+/// A membrane on a rigid body: penalty with Coulomb friction, see contact/surface_contact.
+struct ContactSpec {
+  std::string membrane, rigid;
+  double friction = 0;   ///< mu [-]
+  double stiffness = 1;  ///< of the penalty, over P / h of the membrane's body, P its wave modulus [-]
+  SourceRef at;
+  bool operator==(const ContactSpec&) const = default;
+};
+
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
 enum class WallKind { slip, no_slip, periodic };
@@ -228,8 +245,15 @@ struct SolverSpec {
   MassMatrix mass_matrix = MassMatrix::lumped;
   bool operator==(const SolverSpec&) const = default;
 };
+/// How a run comes to rest: kinetic damping until both ratios are met, see pipeline/relaxation.
+struct RelaxationSpec {
+  enum class Damping { none, kinetic } damping = Damping::none;
+  double kinetic_ratio = 0;         ///< kinetic energy over the work of gravity, to be reached [-]
+  double out_of_balance_ratio = 0;  ///< |sum of forces| over |weight|, norms over the nodes, to be reached [-]
+  bool operator==(const RelaxationSpec&) const = default;
+};
 struct TimeSpec {
-  double end = 0;  ///< [s]
+  double end = 0;  ///< [s]; earlier if a relaxation has come to rest
   bool operator==(const TimeSpec&) const = default;
 };
 struct OutputSpec {
@@ -259,8 +283,14 @@ struct ExactProbeSpec {
   std::string body;
   bool operator==(const ExactProbeSpec&) const = default;
 };
+/// Shape, tension and pressure of a closed membrane full of fluid, beside those of the closed form (geotube.hpp).
+struct GeotubeProbeSpec {
+  std::string name;
+  std::string membrane;
+  bool operator==(const GeotubeProbeSpec&) const = default;
+};
 struct ProbeSpec {
-  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec> probe;
+  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec> probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
 };
@@ -303,11 +333,14 @@ struct Scene {
   WallsSpec walls;
   Point gravity;  ///< [m/s2]
   SolverSpec solver;
+  RelaxationSpec relaxation;
   TimeSpec time;
   OutputSpec output;
   std::vector<MaterialSpec> materials;
   std::vector<BodySpec> bodies;
   std::vector<MembraneSpec> membranes;
+  std::vector<RigidSpec> rigid;
+  std::vector<ContactSpec> contacts;
   std::vector<ExactSpec> exact;
   std::vector<ProbeSpec> probes;
   std::vector<ResultSpec> results;

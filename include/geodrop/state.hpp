@@ -68,9 +68,29 @@ struct Membrane {
   Array<double> strain;                 ///< segments, averaged, signed [-]
   Array<double> tension;                ///< segments, averaged [N/m]
   double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
+  std::array<Array<double>, Dim> contact_force;  ///< nodes [N]; only with contacts
 
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }
+};
+
+/// A membrane on the boundary of a rigid half-plane.
+template <int Dim>
+struct Contact {
+  std::string membrane, rigid;
+  std::array<double, Dim> point, normal;  ///< of the boundary [m]; unit, out of the rigid body
+  double friction = 0;                    ///< mu [-]
+  double stiffness = 0;                   ///< penalty: pressure per penetration [Pa/m]
+  std::array<Array<double>, Dim> slip;    ///< stretch of the tangential springs of the nodes [m]
+};
+
+/// How far a state has come to rest, see pipeline/relaxation. Energies in J.
+struct Relaxation {
+  double kinetic = 0, kinetic_largest = 0;             ///< after the last step; largest of the present cycle
+  double out_of_balance_largest = 0;                   ///< of the present cycle [-]
+  double initial_potential = 0;                        ///< of gravity, at the start
+  double kinetic_ratio = 1, out_of_balance_ratio = 1;  ///< of the last whole cycle [-]
+  std::uint64_t cycles = 0, cycles_at_rest = 0;        ///< so far; the latest ones in a row that met both criteria
 };
 
 /// Massless points that move with the grid velocity.
@@ -88,7 +108,9 @@ struct State {
   double v_max = 0;  ///< largest particle speed [m/s]
   std::vector<Body<Dim>> bodies;
   std::vector<Membrane<Dim>> membranes;
+  std::vector<Contact<Dim>> contacts;
   std::vector<Tracer<Dim>> tracers;
+  Relaxation relaxation;
   Array<std::uint32_t> active_blocks;  ///< sorted; blocks of the grid that particles may touch until the next sort
 };
 

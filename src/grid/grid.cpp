@@ -143,7 +143,8 @@ Grid<Dim> make_grid(const Scene& scene) {
   grid.velocity.assign(n, zero);
   const auto any_body = [&](auto has) { return std::any_of(scene.bodies.begin(), scene.bodies.end(), has); };
   const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
-  const bool change = scene.solver.transfer != Transfer::tpic || consistent;
+  const bool change = scene.solver.transfer != Transfer::tpic || consistent ||
+                      scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
   if (change || (Dim == 3 && shift)) grid.force.assign(n, zero);
   if (change) grid.velocity_change.assign(n, zero);

@@ -109,6 +109,7 @@ void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt)
     for (int a = 0; a < Dim; ++a) {
       momentum[a] = membrane.mass[k] * membrane.v[a][k];
       f[a] = force[a][k];
+      if (!membrane.contact_force[a].empty()) f[a] += membrane.contact_force[a][k];
     }
     momentum[3] = membrane.mass[k];
     if (!separate) momentum += dt * f;
@@ -168,7 +169,7 @@ void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt) {
 
 template <int Dim>
 void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
-  const bool blend = !grid.velocity_change.empty();
+  const bool blend = solver.transfer != Transfer::tpic;
   const double keep = blend ? std::exp(-solver.blend_rate * dt) : 0.0;
   const double damping = std::exp(-solver.damping_rate * dt);
   for (Membrane<Dim>& membrane : state.membranes)

@@ -24,6 +24,10 @@ inline constexpr bool is_membrane = false;
 template <int Dim>
 inline constexpr bool is_membrane<Membrane<Dim>> = true;
 template <class T>
+inline constexpr bool is_contact = false;
+template <int Dim>
+inline constexpr bool is_contact<Contact<Dim>> = true;
+template <class T>
 inline constexpr bool is_tracer = false;
 template <int Dim>
 inline constexpr bool is_tracer<Tracer<Dim>> = true;
@@ -39,15 +43,23 @@ auto members(Part& part) {
                     stress, deformation, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
-           strain, tension, tension_peak] = part;
+           strain, tension, tension_peak, contact_force] = part;
     return std::tie(name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
-                    rest_length, strain, tension, tension_peak);
+                    rest_length, strain, tension, tension_peak, contact_force);
+  } else if constexpr (is_contact<Plain>) {
+    auto& [membrane, rigid, point, normal, friction, stiffness, slip] = part;
+    return std::tie(membrane, rigid, point, normal, friction, stiffness, slip);
+  } else if constexpr (std::is_same_v<Plain, Relaxation>) {
+    auto& [kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio, out_of_balance_ratio,
+           cycles, cycles_at_rest] = part;
+    return std::tie(kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio,
+                    out_of_balance_ratio, cycles, cycles_at_rest);
   } else if constexpr (is_tracer<Plain>) {
     auto& [name, x, v, initial_x] = part;
     return std::tie(name, x, v, initial_x);
   } else {
-    auto& [t, step, drift, v_max, bodies, membranes, tracers, active_blocks] = part;
-    return std::tie(t, step, drift, v_max, bodies, membranes, tracers, active_blocks);
+    auto& [t, step, drift, v_max, bodies, membranes, contacts, tracers, relaxation, active_blocks] = part;
+    return std::tie(t, step, drift, v_max, bodies, membranes, contacts, tracers, relaxation, active_blocks);
   }
 }
 

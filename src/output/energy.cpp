@@ -112,6 +112,22 @@ Totals<Dim> measure(const State<Dim>& state, const Point& gravity) {
 }
 
 template <int Dim>
+double kinetic_energy(const State<Dim>& state) {
+  const auto square = [](const auto& v, std::size_t p) {
+    double sum = 0;
+    for (const auto& component : v) sum += component[p] * component[p];
+    return sum;
+  };
+  double twice = 0;
+  for (const Body<Dim>& body : state.bodies)
+    twice += fixed_order_sum<double>(
+        body.size(), [&](double& sum, std::size_t p) { sum += body.mass[p] * square(body.v, p); });
+  for (const Membrane<Dim>& membrane : state.membranes)
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) twice += membrane.mass[k] * square(membrane.v, k);
+  return twice / 2;
+}
+
+template <int Dim>
 PressureError pressure_error(const Body<Dim>& body, const Newtonian& fluid, double surface, double gravity) {
   const auto sums = fixed_order_sum<ErrorSums>(body.size(), [&](ErrorSums& part, std::size_t p) {
     const double depth = surface - body.x[vertical_axis<Dim>][p];
@@ -126,6 +142,8 @@ template struct Totals<2>;
 template struct Totals<3>;
 template Totals<2> measure(const State<2>&, const Point&);
 template Totals<3> measure(const State<3>&, const Point&);
+template double kinetic_energy(const State<2>&);
+template double kinetic_energy(const State<3>&);
 template PressureError pressure_error(const Body<2>&, const Newtonian&, double, double);
 template PressureError pressure_error(const Body<3>&, const Newtonian&, double, double);
 

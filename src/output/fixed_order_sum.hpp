@@ -15,12 +15,12 @@ Sums fixed_order_sum(std::size_t count, const Add& add) {
   std::vector<Sums> parts(chunks);
 #pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::size_t c = 0; c < chunks; ++c) {
-    Sums part;
+    Sums part{};
     const std::size_t end = count < (c + 1) * chunk ? count : (c + 1) * chunk;
     for (std::size_t p = c * chunk; p < end; ++p) add(part, p);
     parts[c] = part;
   }
-  Sums sums;
+  Sums sums{};
   for (const Sums& part : parts) sums += part;
   return sums;
 }

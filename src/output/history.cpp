@@ -98,6 +98,12 @@ void list_totals(Row& row, const Totals<Dim>& totals, const HistoryTable& earlie
   row.add_vector("total.momentum", "kg_m_s", totals.momentum, Dim);
 }
 
+void list_relaxation(Row& row, const Relaxation& relaxation) {
+  row.add("relaxation.kinetic_ratio", relaxation.kinetic_ratio);
+  row.add("relaxation.out_of_balance_ratio", relaxation.out_of_balance_ratio);
+  row.add("relaxation.cycles", static_cast<double>(relaxation.cycles));
+}
+
 template <int Dim>
 void list_tracer(Row& row, const std::string& name, const Tracer<Dim>& tracer) {
   std::array<double, Dim> displacement;
@@ -110,6 +116,15 @@ void list_tracer(Row& row, const std::string& name, const Tracer<Dim>& tracer) {
 void list_pressure_error(Row& row, const std::string& name, const PressureError& error) {
   row.add(name + ".pressure_error_rms_Pa", error.rms);
   row.add(name + ".pressure_error_max_Pa", error.max);
+}
+
+void list_geotube(Row& row, const std::string& name, const GeotubeMeasures& tube, const MembraneMeasures<2>& membrane) {
+  row.add(name + ".height_m", tube.height);
+  row.add(name + ".width_m", tube.width);
+  row.add(name + ".tension_mean_N_m", membrane.tension_mean);
+  row.add(name + ".tension_std_N_m", membrane.tension_deviation);
+  row.add(name + ".pressure_bottom_Pa", tube.pressure_bottom);
+  row.add(name + ".pressure_top_Pa", tube.pressure_top);
 }
 
 /// The columns that the solution tells something about.
@@ -162,12 +177,18 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
   for (std::size_t m = 0; m < scene.membranes.size(); ++m)
     list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
                   state ? state->membranes[m].tension_peak : 0, scene.membranes[m].closed);
+  if (scene.relaxation.damping != RelaxationSpec::Damping::none)
+    list_relaxation(row, state ? state->relaxation : Relaxation{});
   list_totals(row, state ? measure(*state, scene.gravity) : Totals<Dim>{}, earlier);
   for (const ProbeSpec& spec : scene.probes) {
     if (const auto* tracer = std::get_if<TracerSpec>(&spec.probe))
       list_tracer(row, tracer->name, state ? find_named(state->tracers, tracer->name) : Tracer<Dim>{});
     if (const auto* probe = std::get_if<HydrostaticProbeSpec>(&spec.probe))
       list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
+    if constexpr (Dim == 2)
+      if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
+        list_geotube(row, probe->name, state ? measure_geotube(scene, *state, probe->membrane) : GeotubeMeasures{},
+                     state ? measure(find_named(state->membranes, probe->membrane)) : MembraneMeasures<2>{});
     if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
       list_exact_error(row, probe->name, find_exact(scene, probe->body),
                        state ? exact_error(scene, *state, find_named(state->bodies, probe->body)) : ExactError{});

@@ -168,21 +168,58 @@ template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
   MembraneMeasures<Dim> measures;
   measures.tension_max = -1;  // a slack membrane still has a place of its largest tension
-  double rest_length = 0, weighted = 0;
+  double rest_length = 0, weighted = 0, squares = 0;
+  measures.lower = at<Dim>(membrane.x, 0);
+  measures.upper = measures.lower;
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    measures.lower = measures.lower.cwiseMin(at<Dim>(membrane.x, k));
+    measures.upper = measures.upper.cwiseMax(at<Dim>(membrane.x, k));
+  }
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     const Vec<Dim> a = at<Dim>(membrane.x, s), b = at<Dim>(membrane.x, (s + 1) % membrane.nodes());
     measures.length += (b - a).norm();
     rest_length += membrane.rest_length[s];
     weighted += membrane.rest_length[s] * membrane.tension[s];
+    squares += membrane.rest_length[s] * membrane.tension[s] * membrane.tension[s];
     if (membrane.tension[s] <= measures.tension_max) continue;
     measures.tension_max = membrane.tension[s];
     measures.tension_max_at = (a + b) / 2;
   }
   measures.tension_mean = weighted / rest_length;
+  const double variance = squares / rest_length - measures.tension_mean * measures.tension_mean;
+  measures.tension_deviation = std::sqrt(std::max(0.0, variance));
   measures.tension_p95 = percentile({membrane.tension.begin(), membrane.tension.end()}, 95);
   measures.area = Dim == 2 && membrane.closed ? shoelace(membrane) : not_there;
   measures.utilisation_max = membrane.strength > 0 ? measures.tension_max / membrane.strength : not_there;
   return measures;
+}
+
+GeotubeMeasures measure_geotube(const Scene& scene, const State<2>& state, const std::string& name) {
+  const auto is_named = [&](const auto& item) { return item.name == name; };
+  const Membrane<2>& membrane = *std::find_if(state.membranes.begin(), state.membranes.end(), is_named);
+  const auto is_inside = [&](const auto& item) { return item.name == membrane.body; };
+  const Body<2>& fill = *std::find_if(state.bodies.begin(), state.bodies.end(), is_inside);
+  const MembraneMeasures<2> outer = measure(membrane);
+  const double unit_weight = -scene.gravity[1] * reference_density(fill.material), near = scene.grid.spacing;
+  const auto pressure_at = [&](double end) {
+    struct Sums {
+      double volume = 0, pressure = 0;
+      Sums& operator+=(const Sums& other) {
+        volume += other.volume;
+        pressure += other.pressure;
+        return *this;
+      }
+    };
+    const Sums sums = fixed_order_sum<Sums>(fill.size(), [&](Sums& part, std::size_t p) {
+      const double above = fill.x[1][p] - end, volume = fill.volume(p);
+      if (std::abs(above) > near) return;
+      part.volume += volume;
+      part.pressure += volume * (mean_pressure(fill, p) + unit_weight * above);
+    });
+    return sums.volume > 0 ? sums.pressure / sums.volume : not_there;
+  };
+  return {outer.upper[1] - outer.lower[1], outer.upper[0] - outer.lower[0], pressure_at(outer.lower[1]),
+          pressure_at(outer.upper[1])};
 }
 
 template double mean_pressure(const Body<2>&, std::size_t);

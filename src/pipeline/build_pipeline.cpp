@@ -3,6 +3,7 @@
 #include <chrono>
 #include <geodrop/pipeline.hpp>
 
+#include "../contact/surface_contact.hpp"
 #include "../exact/body_force.hpp"
 #include "../grid/cell_pressure.hpp"
 #include "../grid/mass_correction.hpp"
@@ -10,6 +11,7 @@
 #include "../grid/sort_particles.hpp"
 #include "../kernels/transfer_stages.hpp"
 #include "../membrane/membrane_force.hpp"
+#include "relaxation.hpp"
 
 namespace geodrop {
 namespace {
@@ -36,10 +38,14 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool musl = scene.solver.transfer == Transfer::musl;
   const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
   const bool membranes = !scene.membranes.empty();
+  const bool contacts = !scene.contacts.empty();
+  const RelaxationSpec relaxation = scene.relaxation;
+  const bool relaxes = relaxation.damping == RelaxationSpec::Damping::kinetic;
   const SolverSpec solver = scene.solver;
   const std::vector<DrivenBody> driven = driven_bodies<Dim>(scene);
   std::array<double, Dim> gravity;
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
+  const Point g_vector = scene.gravity;
 
   Pipeline<Dim> p;
   const auto add = [&p](bool wanted, std::string name, std::string flow, auto run) {
@@ -53,15 +59,18 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
+  add(contacts,      "surface_contact",   "membrane nodes -> contact forces, slip",                    [](S& s, G&, const C& c) { update_contact_forces(s, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });
   add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S& s, G& g, const C&) { correct_mass(s, g); });
+  add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, G& g, const C& c) { measure_balance(g_vector, c.dt, c.step, s, g); });
   add(musl,          "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
   add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { average_nodal_rate(s, g); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
+  add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, G&, const C&) { damp_kinetically(relaxation, g_vector, s); });
   // clang-format on
   return p;
 }

@@ -4,6 +4,8 @@
 #include <geodrop/run.hpp>
 #include <geodrop/stop_signal.hpp>
 
+#include "relaxation.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -28,12 +30,12 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   const auto start = std::chrono::steady_clock::now();
   try {
     statistics.facts = state_facts(scene, state);
-    while (state.t < end && !stop_requested()) {
+    while (state.t < end && !at_rest(state.relaxation) && !stop_requested()) {
       advance(scene, pipeline, state, grid);
       write_due_output(output, state);
       output.progress(state.t, state.step);
     }
-    statistics.status = state.t < end ? RunStatus::stopped : RunStatus::done;
+    statistics.status = state.t < end && !at_rest(state.relaxation) ? RunStatus::stopped : RunStatus::done;
   } catch (const RunError& error) {
     statistics.status = RunStatus::failed;
     statistics.message = error.what();
@@ -66,7 +68,8 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
   RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
   // A run that ends before its scene does, by signal or by --until, can go on later.
   const bool unfinished =
-      statistics.status == RunStatus::stopped || (statistics.status == RunStatus::done && end < scene.time.end);
+      statistics.status == RunStatus::stopped ||
+      (statistics.status == RunStatus::done && end < scene.time.end && !at_rest(state.relaxation));
   if (unfinished) output.checkpoint(Frame<Dim>(state));
   const Summary summary = output.finish(Frame<Dim>(state), statistics);
   return exit_code(statistics.status, summary.expectations_met, verify);

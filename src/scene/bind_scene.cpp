@@ -162,6 +162,17 @@ MembraneSpec bind_membrane(const Fields& f, SourceRef at) {
   return membrane;
 }
 
+RigidSpec bind_rigid(const Fields& f, SourceRef at) {
+  const Fields shape = f.sub("shape");
+  return {f.text("name"), {shape.point("point"), shape.point("normal")}, at};
+}
+
+ContactSpec bind_contact(const Fields& f, SourceRef at) {
+  std::vector<std::string> between = f.names("between");
+  between.resize(2);
+  return {between[0], between[1], f.real("friction"), f.real("stiffness"), at};
+}
+
 ExactSpec bind_exact(const Fields& f, SourceRef at) {
   const std::string type = f.text("type"), body = f.text("body");
   if (type == "taylor_green") return {body, TaylorGreenSpec{f.real("speed"), f.real("length")}, at};
@@ -176,6 +187,7 @@ ProbeSpec bind_probe(const Fields& f, SourceRef at) {
   if (f.text("type") == "hydrostatic") {
     return {HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}}, at};
   }
+  if (f.text("type") == "geotube") return {GeotubeProbeSpec{f.text("name"), f.text("membrane")}, at};
   return {TracerSpec{f.text("name"), f.point("position")}, at};
 }
 
@@ -221,6 +233,9 @@ void bind_numerics(const Fields& root, Scene& scene) {
   scene.solver.mass_matrix = solver.choice<MassMatrix>("mass_matrix");
   scene.solver.courant = solver.real("courant");
   scene.solver.damping_rate = solver.real("damping_rate");
+  const Fields relaxation = root.sub("relaxation");
+  scene.relaxation = {relaxation.choice<RelaxationSpec::Damping>("damping"), relaxation.real("kinetic_ratio"),
+                      relaxation.real("out_of_balance_ratio")};
   scene.time.end = root.sub("time").real("end");
   scene.output = {output.real("frame_interval"), output.real("history_interval"), output.boolean("compress")};
 }
@@ -258,6 +273,8 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   };
   scene.bodies = bind_list(complete, report, "bodies", body);
   scene.membranes = bind_list(complete, report, "membranes", bind_membrane);
+  scene.rigid = bind_list(complete, report, "rigid", bind_rigid);
+  scene.contacts = bind_list(complete, report, "contacts", bind_contact);
   scene.exact = bind_list(complete, report, "exact", bind_exact);
   scene.probes = bind_list(complete, report, "probes", bind_probe);
   scene.results = bind_list(complete, report, "results", bind_result);

@@ -65,6 +65,10 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
     check_reference(key + ".body", exact->body, names_of(scene.bodies), "bodies", report);
     return;
   }
+  if (const auto* tube = std::get_if<GeotubeProbeSpec>(&probe.probe)) {
+    check_reference(key + ".membrane", tube->membrane, names_of(scene.membranes), "membranes", report);
+    return;
+  }
   const auto& tracer = std::get<TracerSpec>(probe.probe);
   if (!report.healthy(key) || !report.healthy("grid") || tracer.position.size() != scene.grid.lower.size()) return;
   for (std::size_t a = 0; a < tracer.position.size(); ++a) {

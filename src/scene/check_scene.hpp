@@ -26,10 +26,11 @@ void check_initial_stress(const Scene& scene, Report& report);
 void check_geometry(const Scene& scene, Report& report);
 void check_exact(const Scene& scene, Report& report);
 void check_membranes(const Scene& scene, Report& report);
+void check_contacts(const Scene& scene, Report& report);
 void check_measurements(const Scene& scene, Report& report);
 
 /// Owners of columns about the whole scene; no body, membrane or probe has such a name.
-inline constexpr const char* kWholeOwners[] = {"energy", "total"};
+inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};
 
 const MaterialSpec* find_material(const Scene& scene, const std::string& name);
 const BodySpec* find_body(const Scene& scene, const std::string& name);

@@ -27,6 +27,7 @@ constexpr Range two_or_three{"2 or 3", [](double x) { return x == 2 || x == 3; }
 constexpr Range per_axis{"1 to 8", [](double x) { return x >= 1 && x <= 8; }};
 constexpr Range bands{"1 to 255", [](double x) { return x >= 1 && x <= 255; }};
 constexpr Range window{"0 to 64", [](double x) { return x >= 0 && x <= 64; }};
+constexpr Range penalty_range{"> 0 and <= 4 (stiffer contacts gain energy)", [](double x) { return x > 0 && x <= 4; }};
 constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart) to 64",
                       [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
@@ -68,6 +69,10 @@ constexpr Section sections[] = {
     {"bodies.initial_stress", "initial_stress of a body", "", "An inline table; `type` says which keys it has."},
     {"membranes", "[[membranes]]", "name",
      "Tension-only geotextiles on the outline of a body; in two dimensions only."},
+    {"relaxation", "[relaxation]", "", "Dynamic relaxation to a state at rest; both ratios have to hold over three cycles of kinetic damping in a row."},
+    {"rigid", "[[rigid]]", "name", "Rigid bodies that do not move; only what `contacts` names notices them."},
+    {"rigid.shape", "shape of a rigid body", "", "An inline table."},
+    {"contacts", "[[contacts]]", "", "Surface contact of a membrane's nodes with a rigid body: penalty normal to it, Coulomb friction along it."},
     {"exact", "[[exact]]", "body",
      "Exact solutions that bodies follow; the formulas stand in include/geodrop/exact.hpp. `axis_aligned_mms` comes "
      "with the body force that it needs."},
@@ -87,11 +92,14 @@ constexpr Key keys[] = {
     {"", "grid", table, "", "", required, one_table, "the domain and its cells"},
     {"", "walls", table, "", "", required, one_table, "the sides of the domain"},
     {"", "solver", table, "", "", required, one_table, "the scheme"},
+    {"", "relaxation", table, "", "", standard("{ damping = \"none\" }"), one_table, "how the run comes to rest"},
     {"", "time", table, "", "", required, one_table, "how long to run"},
     {"", "output", table, "", "", required, one_table, "what is written"},
     {"", "materials", named_tables, "", "", required, some, "the materials by name"},
     {"", "bodies", table_list, "", "", required, some, "what fills the domain"},
     {"", "membranes", table_list, "", "", standard("[]"), maybe_none, "geotextiles", 2},
+    {"", "rigid", table_list, "", "", standard("[]"), maybe_none, "rigid ground and walls", 2},
+    {"", "contacts", table_list, "", "", standard("[]"), maybe_none, "what touches what", 2},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
     {"", "results", table_list, "", "", standard("[]"), maybe_none, "numbers that the run ends with"},
@@ -122,6 +130,10 @@ constexpr Key keys[] = {
     {"solver", "mass_matrix", choice, "", "", standard("\"lumped\""), words("lumped|consistent"), "lumped: nodes move by their own mass; consistent: corrected for lumping, which lowers the frequency of waves by about (k h)^2 / 8 (bspline2 and linear only)"},
     {"solver", "courant", real, "", "", standard("0.5"), courant_range, "C in dt = C h / (c + v)"},
     {"solver", "damping_rate", real, "1/s", "", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"},
+
+    {"relaxation", "damping", choice, "", "", required, words("none|kinetic"), "kinetic: all velocities are set to zero at each peak of the kinetic energy, and the run ends once both ratios are met"},
+    {"relaxation", "kinetic_ratio", real, "", "damping=kinetic", required, positive, "kinetic energy over the work done by gravity, to be reached"},
+    {"relaxation", "out_of_balance_ratio", real, "", "damping=kinetic", required, positive, "norm of the forces out of balance over that of the weight, to be reached"},
 
     {"time", "end", real, "s", "", required, positive, "simulated time"},
 
@@ -196,6 +208,17 @@ constexpr Key keys[] = {
     {"membranes", "segments_per_cell", real, "", "", standard("4.0"), dense, "nodes are h / segments_per_cell apart"},
     {"membranes", "averaging_segments", integer, "", "", standard("2"), window, "half width of the running mean of strain and force"},
 
+    {"rigid", "name", name, "", "", required, identifier, "what contacts refer to"},
+    {"rigid", "shape", table, "", "", required, one_table, "where it is"},
+
+    {"rigid.shape", "type", choice, "", "", required, words("half_plane"), "which shape"},
+    {"rigid.shape", "point", point, "m", "", required, any, "a point of the boundary"},
+    {"rigid.shape", "normal", point, "", "", required, any, "points out of the rigid body; of any length"},
+
+    {"contacts", "between", names, "", "", required, reference, "a membrane and a rigid body"},
+    {"contacts", "friction", real, "", "", required, not_negative, "coefficient of Coulomb friction"},
+    {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body behind the membrane, h the cell"},
+
     {"exact", "body", name, "", "", required, reference, "the body that follows the solution"},
     {"exact", "type", choice, "", "", required, words("axis_aligned_mms|taylor_green|uniform_motion|bar_first_mode"), "axis_aligned_mms: a neo-Hookean block that swings along each axis; taylor_green: decaying vortices of water; uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"},
     {"exact", "amplitude", real, "m", "type=axis_aligned_mms", required, positive, "A of u = A sin(2 pi X / length); 2 pi A / length is below 1"},
@@ -208,9 +231,10 @@ constexpr Key keys[] = {
     {"exact", "stretch", point, "", "type=uniform_motion", required, positive, "present over unstrained length along each axis; the body's shape, a box, is the stretched one, and the lattice of its particles is stretched with it"},
 
     {"probes", "name", name, "", "", required, identifier, "heads the probe's columns in history.csv"},
-    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact"), "tracer: a point that moves with the material; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows"},
+    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact|geotube"), "tracer: a point that moves with the material; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows; geotube: shape and pressures of a closed membrane full of fluid beside those of the closed form"},
     {"probes", "position", point, "m", "type=tracer", required, any, "where the point starts"},
     {"probes", "body", name, "", "type=hydrostatic|exact", required, reference, "whose particles are compared"},
+    {"probes", "membrane", name, "", "type=geotube", required, reference, "the closed membrane"},
     {"probes", "fluid", name, "", "type=hydrostatic", required, reference, "the newtonian material of the still fluid"},
     {"probes", "surface", real, "m", "type=hydrostatic", required, any, "level of the fluid's free surface"},
 

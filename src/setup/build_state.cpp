@@ -3,10 +3,12 @@
 #include <cmath>
 #include <geodrop/exact.hpp>
 #include <geodrop/graded_axis.hpp>
+#include <geodrop/measure.hpp>
 #include <geodrop/pipeline.hpp>
 #include <geodrop/shapes.hpp>
 #include <numbers>
 
+#include "../contact/surface_contact.hpp"
 #include "fill_particles.hpp"
 #include "initial_stress.hpp"
 
@@ -180,6 +182,12 @@ State<Dim> build_state(const Scene& scene) {
     for (Body<Dim>& body : state.bodies)
       for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
   for (const MembraneSpec& spec : scene.membranes) state.membranes.push_back(build_membrane<Dim>(scene, spec));
+  for (const ContactSpec& spec : scene.contacts) {
+    state.contacts.push_back(make_contact(scene, spec, state));
+    for (Membrane<Dim>& membrane : state.membranes)
+      if (membrane.name == spec.membrane)
+        for (auto& component : membrane.contact_force) component.assign(membrane.nodes(), 0.0);
+  }
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
     if (!tracer) continue;
@@ -194,6 +202,8 @@ State<Dim> build_state(const Scene& scene) {
       for (int a = 0; a < Dim; ++a) speed2 += body.v[a][p] * body.v[a][p];
       state.v_max = std::max(state.v_max, std::sqrt(speed2));
     }
+  if (scene.relaxation.damping != RelaxationSpec::Damping::none)
+    state.relaxation.initial_potential = measure(state, scene.gravity).potential;
   return state;
 }
 

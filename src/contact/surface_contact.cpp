@@ -1,0 +1,91 @@
+#include "surface_contact.hpp"
+
+#include <geodrop/graded_axis.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodrop {
+namespace {
+
+template <class List>
+auto& named(List& list, const std::string& name) {
+  return *std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
+}
+
+template <int Dim>
+Vec<Dim> at(const std::array<Array<double>, Dim>& values, std::size_t k) {
+  Vec<Dim> v;
+  for (int a = 0; a < Dim; ++a) v[a] = values[a][k];
+  return v;
+}
+
+template <int Dim>
+void set(std::array<Array<double>, Dim>& values, std::size_t k, const Vec<Dim>& v) {
+  for (int a = 0; a < Dim; ++a) values[a][k] = v[a];
+}
+
+/// Length of the membrane that belongs to a node: half of the segments beside it, unstretched [m].
+template <int Dim>
+double node_length(const Membrane<Dim>& membrane, std::size_t k) {
+  const std::size_t n = membrane.segments();
+  double sum = k < n ? membrane.rest_length[k] : 0.0;
+  if (k > 0 || membrane.closed) sum += membrane.rest_length[k > 0 ? k - 1 : n - 1];
+  return 0.5 * sum;
+}
+
+template <int Dim>
+void add_contact_force(Contact<Dim>& contact, double dt, Membrane<Dim>& membrane) {
+  const Vec<Dim> point(contact.point.data()), normal(contact.normal.data());
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    const double gap = normal.dot(at<Dim>(membrane.x, k) - point);
+    if (gap >= 0) {
+      set<Dim>(contact.slip, k, Vec<Dim>::Zero());
+      continue;
+    }
+    const double spring = contact.stiffness * node_length(membrane, k), push = -spring * gap;
+    const Vec<Dim> v = at<Dim>(membrane.v, k);
+    Vec<Dim> slip = at<Dim>(contact.slip, k) + dt * (v - normal.dot(v) * normal);
+    const double drag = spring * slip.norm();
+    if (drag > contact.friction * push) slip *= contact.friction * push / drag;
+    set<Dim>(contact.slip, k, slip);
+    set<Dim>(membrane.contact_force, k, at<Dim>(membrane.contact_force, k) + push * normal - spring * slip);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state) {
+  const HalfPlaneShape& surface = named(scene.rigid, spec.rigid).shape;
+  const Membrane<Dim>& membrane = named(state.membranes, spec.membrane);
+  const Material& behind = named(state.bodies, membrane.body).material;
+  const double modulus = reference_density(behind) * std::pow(wave_speed(behind), 2);
+  Contact<Dim> contact{spec.membrane, spec.rigid, {}, {}, spec.friction, 0, {}};
+  contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
+  double length = 0;
+  for (int a = 0; a < Dim; ++a) length += surface.normal[a] * surface.normal[a];
+  for (int a = 0; a < Dim; ++a) {
+    contact.point[a] = surface.point[a];
+    contact.normal[a] = surface.normal[a] / std::sqrt(length);
+    contact.slip[a].assign(membrane.nodes(), 0.0);
+  }
+  return contact;
+}
+
+template <int Dim>
+void update_contact_forces(State<Dim>& state, double dt) {
+  for (Membrane<Dim>& membrane : state.membranes)
+    for (auto& component : membrane.contact_force) std::fill(component.begin(), component.end(), 0.0);
+  for (Contact<Dim>& contact : state.contacts)
+    add_contact_force(contact, dt, named(state.membranes, contact.membrane));
+}
+
+#define GEODROP_INSTANTIATE(D)                                                                    \
+  template Contact<D> make_contact<D>(const Scene&, const ContactSpec&, const State<D>&);         \
+  template void update_contact_forces<D>(State<D>&, double);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop

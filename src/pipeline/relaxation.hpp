@@ -1,0 +1,30 @@
+// Dynamic relaxation to a state at rest by kinetic damping (Cundall 1976; Barnes 1999): whenever the kinetic energy has
+// passed a peak, every velocity is set to zero. From one peak to the next is a cycle.
+//
+//   kinetic ratio          largest kinetic energy of a cycle over the work that gravity has done since the start
+//   out-of-balance ratio   largest |f_ext + f_int| / |f_ext| of a cycle, norms over the free components of all nodes,
+//                          f_ext = m g
+//
+// A run is at rest once both ratios were met over `cycles_to_rest` cycles in a row: within one cycle any of the two may
+// be small by chance, the forces at a peak of the kinetic energy and the energy after it.
+#pragma once
+
+#include <geodrop/grid.hpp>
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+inline constexpr std::uint64_t cycles_to_rest = 3;
+
+/// The out-of-balance ratio from the change of nodal velocities during the step, every few steps.
+template <int Dim>
+void measure_balance(const Point& gravity, double dt, std::uint64_t step, State<Dim>& state, const Grid<Dim>& grid);
+
+/// Follows the kinetic energy; at its peak ends the cycle and all motion.
+template <int Dim>
+void damp_kinetically(const RelaxationSpec& spec, const Point& gravity, State<Dim>& state);
+
+inline bool at_rest(const Relaxation& relaxation) { return relaxation.cycles_at_rest >= cycles_to_rest; }
+
+}  // namespace geodrop
