@@ -92,6 +92,18 @@ enum CellFlag : std::uint8_t {
   cell_shiftable = 2  ///< its neighbourhood is full of material and free of membranes
 };
 
+using CellMoments = std::array<double, 9>;  ///< entry 3 a + b: m_ab, see enclosed/polygon_moments
+
+/// The cells of a fluid inside a closed membrane (2D), see enclosed/enclosed_fluid. Local cells i + j nx of a box.
+struct EnclosedCells {
+  std::array<int, 2> first{}, count{};  ///< lowest stored cell of the box, cells per axis
+  Array<CellMoments> moments;
+  Array<int> host;         ///< cell whose pressure and rate a cell shares
+  Array<double> volume;    ///< of particles, at hosts [m3]
+  Array<double> pressure;  ///< pi, at hosts [Pa]
+  Array<double> rate;      ///< D_c of all cells, by the flat index of the grid [1/s]
+};
+
 /// Everything that the stages of one step hand to each other. Cleared anew each step, so not part of a checkpoint.
 /// Entries outside the active blocks are zero. Arrays that no stage of the pipeline needs have length zero.
 template <int Dim>
@@ -129,6 +141,8 @@ struct Grid {
   };
   std::array<AxisIntegrals, Dim> integrals;
   std::array<double, 3> interior_value{};  ///< int N over the cells below, at, above a node, away from walls, h = 1
+
+  std::vector<EnclosedCells> enclosed;  ///< of the bodies with PressureSupport::enclosed
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };

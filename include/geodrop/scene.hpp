@@ -158,8 +158,8 @@ struct ExactSpec {
 
 // --- Bodies, membranes -------------------------------------------------------------------------
 /// Where the mean stress of a body acts from: the cell average (cures locking and noise), each particle, or the nodal
-/// average of tri3 and tet4 (the paper's cure).
-enum class PressureSupport { cell, particle, nodal };
+/// average of tri3 and tet4 (the paper's cure), or cells cut exactly by the membrane around (enclosed/enclosed_fluid).
+enum class PressureSupport { cell, particle, nodal, enclosed };
 
 struct BodySpec {
   std::string name;

@@ -23,6 +23,8 @@ struct Body {
   bool shift = false;      ///< particle shifting (fluids)
   double shift_speed = 0;  ///< v0 of the shift [m/s]
   double half_size = 0;    ///< half width of a particle's domain (Basis::gimp) [h]
+  int enclosed = -1;       ///< index in Grid::enclosed (PressureSupport::enclosed)
+  double unit_weight = 0, weightless_level = 0;  ///< of an enclosed fluid: gamma [N/m3], y0 [m]
 
   std::array<Array<double>, Dim> x;             ///< position [m]
   std::array<Array<double>, Dim> v;             ///< velocity [m/s]
@@ -68,7 +70,7 @@ struct Membrane {
   Array<double> strain;                 ///< segments, averaged, signed [-]
   Array<double> tension;                ///< segments, averaged [N/m]
   double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
-  std::array<Array<double>, Dim> contact_force;  ///< nodes [N]; only with contacts
+  std::array<Array<double>, Dim> load;  ///< nodes: of contacts, of the weight inside [N]; else empty
 
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }
@@ -90,6 +92,7 @@ struct Relaxation {
   double out_of_balance_largest = 0;                   ///< of the present cycle [-]
   double initial_potential = 0;                        ///< of gravity, at the start
   double kinetic_ratio = 1, out_of_balance_ratio = 1;  ///< of the last whole cycle [-]
+  std::uint64_t steps = 0;                             ///< of the present cycle
   std::uint64_t cycles = 0, cycles_at_rest = 0;        ///< so far; the latest ones in a row that met both criteria
 };
 

@@ -128,6 +128,8 @@ std::string name_of(PressureSupport pressure) {
       return "particle";
     case PressureSupport::nodal:
       return "nodal";
+    case PressureSupport::enclosed:
+      return "enclosed";
   }
   return "";
 }

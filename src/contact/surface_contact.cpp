@@ -49,7 +49,7 @@ void add_contact_force(Contact<Dim>& contact, double dt, Membrane<Dim>& membrane
     const double drag = spring * slip.norm();
     if (drag > contact.friction * push) slip *= contact.friction * push / drag;
     set<Dim>(contact.slip, k, slip);
-    set<Dim>(membrane.contact_force, k, at<Dim>(membrane.contact_force, k) + push * normal - spring * slip);
+    set<Dim>(membrane.load, k, at<Dim>(membrane.load, k) + push * normal - spring * slip);
   }
 }
 
@@ -74,16 +74,14 @@ Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const Sta
 }
 
 template <int Dim>
-void update_contact_forces(State<Dim>& state, double dt) {
-  for (Membrane<Dim>& membrane : state.membranes)
-    for (auto& component : membrane.contact_force) std::fill(component.begin(), component.end(), 0.0);
+void add_contact_forces(State<Dim>& state, double dt) {
   for (Contact<Dim>& contact : state.contacts)
     add_contact_force(contact, dt, named(state.membranes, contact.membrane));
 }
 
 #define GEODROP_INSTANTIATE(D)                                                                    \
   template Contact<D> make_contact<D>(const Scene&, const ContactSpec&, const State<D>&);         \
-  template void update_contact_forces<D>(State<D>&, double);
+  template void add_contact_forces<D>(State<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

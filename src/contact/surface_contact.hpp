@@ -16,8 +16,8 @@ namespace geodrop {
 template <int Dim>
 Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state);
 
-/// Renews Membrane::contact_force; `dt` [s] stretches the tangential springs.
+/// Adds to Membrane::load; `dt` [s] stretches the tangential springs.
 template <int Dim>
-void update_contact_forces(State<Dim>& state, double dt);
+void add_contact_forces(State<Dim>& state, double dt);
 
 }  // namespace geodrop

@@ -157,6 +157,11 @@ Grid<Dim> make_grid(const Scene& scene) {
     for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
     grid.interior_value = interior_cell(grid.layout.basis).value;
   }
+  for (const BodySpec& body : scene.bodies) {
+    if (body.pressure != PressureSupport::enclosed) continue;
+    grid.enclosed.emplace_back();
+    grid.enclosed.back().rate.assign(n, 0.0);
+  }
   if (any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }))
     for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) field->assign(n, 0.0);
   return grid;

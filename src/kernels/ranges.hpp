@@ -53,6 +53,10 @@ void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const Chu
                          double dt, int count, ChunkRates<Dim>& rates) {
   if constexpr (std::is_same_v<Basis, Simplex>)
     if (body.pressure == PressureSupport::nodal) return take_nodal_rates<Dim>(grid, weights, dt, count, rates);
+  if (body.pressure == PressureSupport::enclosed) {
+    const double* const rate = grid.enclosed[body.enclosed].rate.data();
+    for (int k = 0; k < count; ++k) rates.volume[k] = dt * rate[pressure_cell(grid.layout, weights, k)];
+  }
   if (body.pressure != PressureSupport::cell) return;
   for (int k = 0; k < count; ++k) {
     const int cell = pressure_cell(grid.layout, weights, k);

@@ -109,7 +109,7 @@ void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt)
     for (int a = 0; a < Dim; ++a) {
       momentum[a] = membrane.mass[k] * membrane.v[a][k];
       f[a] = force[a][k];
-      if (!membrane.contact_force[a].empty()) f[a] += membrane.contact_force[a][k];
+      if (!membrane.load[a].empty()) f[a] += membrane.load[a][k];
     }
     momentum[3] = membrane.mass[k];
     if (!separate) momentum += dt * f;
@@ -157,6 +157,12 @@ std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
     }
   }
   return force;
+}
+
+template <int Dim>
+void clear_membrane_loads(State<Dim>& state) {
+  for (Membrane<Dim>& membrane : state.membranes)
+    for (auto& component : membrane.load) std::fill(component.begin(), component.end(), 0.0);
 }
 
 template <int Dim>
@@ -237,6 +243,7 @@ void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
 #define GEODROP_INSTANTIATE(D)                                                                     \
   template void update_tension<D>(Membrane<D>&);                                                   \
   template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);                    \
+  template void clear_membrane_loads<D>(State<D>&);                                                \
   template void membranes_to_grid<D>(State<D>&, Grid<D>&, double);                                 \
   template void update_membrane_velocity<D>(const SolverSpec&, State<D>&, const Grid<D>&, double); \
   template void sum_membrane_momentum<D>(const State<D>&, Grid<D>&);                               \

@@ -17,7 +17,8 @@ constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 /// Pressure of a fluid follows from its density, of a solid from the stress that it carries.
 template <int Dim>
 double pressure(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
-  return fluid.bulk_modulus * (1.0 / body.J[p] - 1.0);
+  const double of_weight = body.unit_weight * (body.weightless_level - body.x[vertical_axis<Dim>][p]);
+  return fluid.bulk_modulus * (1.0 / body.J[p] - 1.0) + of_weight;
 }
 template <class Solid, int Dim>
 double pressure(const Solid&, const Body<Dim>& body, std::size_t p) {

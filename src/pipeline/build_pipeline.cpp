@@ -4,6 +4,7 @@
 #include <geodrop/pipeline.hpp>
 
 #include "../contact/surface_contact.hpp"
+#include "../enclosed/enclosed_fluid.hpp"
 #include "../exact/body_force.hpp"
 #include "../grid/cell_pressure.hpp"
 #include "../grid/mass_correction.hpp"
@@ -38,7 +39,8 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool musl = scene.solver.transfer == Transfer::musl;
   const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
   const bool membranes = !scene.membranes.empty();
-  const bool contacts = !scene.contacts.empty();
+  const bool enclosed = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::enclosed; });
+  const bool loads = enclosed || !scene.contacts.empty();
   const RelaxationSpec relaxation = scene.relaxation;
   const bool relaxes = relaxation.damping == RelaxationSpec::Damping::kinetic;
   const SolverSpec solver = scene.solver;
@@ -57,16 +59,19 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S& s, G& g, const C&) { clear_grid(s, g); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
+  add(enclosed,      "enclosed_cells",    "volume, membrane nodes -> pressure and moments of cells",   [](S& s, G& g, const C&) { update_enclosed_cells(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
-  add(contacts,      "surface_contact",   "membrane nodes -> contact forces, slip",                    [](S& s, G&, const C& c) { update_contact_forces(s, c.dt); });
+  add(loads,         "membrane_loads",    "membrane nodes -> loads of contact and weight, slip",       [](S& s, G&, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_weight_loads(s); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
+  add(enclosed,      "enclosed_force",    "pressure and moments of cells -> nodal sums or force",      [g_vector](S& s, G& g, const C& c) { enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });
   add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S& s, G& g, const C&) { correct_mass(s, g); });
-  add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, G& g, const C& c) { measure_balance(g_vector, c.dt, c.step, s, g); });
+  add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, G& g, const C& c) { measure_balance(g_vector, c.dt, s, g); });
   add(musl,          "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
   add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { average_nodal_rate(s, g); });
+  add(enclosed,      "enclosed_rate",     "nodal velocity -> volume rate of enclosed cells",           [](S& s, G& g, const C& c) { update_enclosed_rates(s, g, c.dt); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });

@@ -40,17 +40,23 @@ Squares sum_squares(const Point& gravity, double dt, const State<Dim>& state, co
   return sum;
 }
 
-template <int Dim, class Part>
-void stop(Part& part) {
-  for (auto& component : part.v) std::fill(component.begin(), component.end(), 0.0);
+template <int Dim>
+void stop_all(State<Dim>& state) {
+  const auto stop = [](auto& rates) {
+    for (auto& component : rates) std::fill(component.begin(), component.end(), 0.0);
+  };
+  for (Body<Dim>& body : state.bodies) {
+    stop(body.v);
+    stop(body.affine);
+  }
+  for (Membrane<Dim>& membrane : state.membranes) stop(membrane.v);
+  state.relaxation.kinetic = 0;
 }
 
 }  // namespace
 
 template <int Dim>
-void measure_balance(const Point& gravity, double dt, std::uint64_t step, State<Dim>& state, const Grid<Dim>& grid) {
-  constexpr std::uint64_t interval = 10;  // steps; costs 3 % of a step
-  if (step % interval != 0) return;
+void measure_balance(const Point& gravity, double dt, State<Dim>& state, const Grid<Dim>& grid) {
   const Squares sum = sum_squares(gravity, dt, state, grid);
   double& largest = state.relaxation.out_of_balance_largest;
   largest = std::max(largest, std::sqrt(sum.force / sum.weight));
@@ -62,23 +68,22 @@ void damp_kinetically(const RelaxationSpec& spec, const Point& gravity, State<Di
   const double before = r.kinetic;
   r.kinetic = kinetic_energy(state);
   r.kinetic_largest = std::max(r.kinetic_largest, r.kinetic);
+  ++r.steps;
   if (r.kinetic >= before) return;
+  stop_all(state);
+  if (r.steps < shortest_cycle) return;
   const double work = r.initial_potential - measure(state, gravity).potential;
   r.kinetic_ratio = r.kinetic_largest / work;
   r.out_of_balance_ratio = r.out_of_balance_largest;
   const bool met = work > 0 && r.kinetic_ratio < spec.kinetic_ratio && r.out_of_balance_ratio < spec.out_of_balance_ratio;
   r.cycles_at_rest = met ? r.cycles_at_rest + 1 : 0;
   ++r.cycles;
-  r.kinetic = r.kinetic_largest = r.out_of_balance_largest = 0;
-  for (Body<Dim>& body : state.bodies) {
-    stop<Dim>(body);
-    for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
-  }
-  for (Membrane<Dim>& membrane : state.membranes) stop<Dim>(membrane);
+  r.kinetic_largest = r.out_of_balance_largest = 0;
+  r.steps = 0;
 }
 
 #define GEODROP_INSTANTIATE(D)                                                                                \
-  template void measure_balance<D>(const Point&, double, std::uint64_t, State<D>&, const Grid<D>&);           \
+  template void measure_balance<D>(const Point&, double, State<D>&, const Grid<D>&);           \
   template void damp_kinetically<D>(const RelaxationSpec&, const Point&, State<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

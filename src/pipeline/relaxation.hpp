@@ -17,9 +17,12 @@ namespace geodrop {
 
 inline constexpr std::uint64_t cycles_to_rest = 3;
 
-/// The out-of-balance ratio from the change of nodal velocities during the step, every few steps.
+/// Steps; the ratios of shorter cycles count with those of the next one.
+inline constexpr std::uint64_t shortest_cycle = 50;
+
+/// The out-of-balance ratio from the change of nodal velocities during the step.
 template <int Dim>
-void measure_balance(const Point& gravity, double dt, std::uint64_t step, State<Dim>& state, const Grid<Dim>& grid);
+void measure_balance(const Point& gravity, double dt, State<Dim>& state, const Grid<Dim>& grid);
 
 /// Follows the kinetic energy; at its peak ends the cycle and all motion.
 template <int Dim>

@@ -165,7 +165,7 @@ constexpr Key keys[] = {
     {"bodies", "jitter_seed", integer, "", "", standard("0"), not_negative, "seed of the random offsets"},
     {"bodies", "initial_velocity", table, "", "", standard("{ type = \"rest\" }"), one_table, "velocity at the start"},
     {"bodies", "initial_stress", table, "", "", required, one_table, "stress at the start"},
-    {"bodies", "pressure", choice, "", "", standard("\"cell\""), words("cell|particle|nodal"), "where the mean stress acts from: the average of the cell (not on tri3, tet4), each particle, or (only on tri3, tet4) the average at the nodes"},
+    {"bodies", "pressure", choice, "", "", standard("\"cell\""), words("cell|particle|nodal|enclosed"), "where the mean stress acts from: the average of the cell (not on tri3, tet4), each particle, (only on tri3, tet4) the average at the nodes, or, for a fluid that fills a closed membrane (2D, bspline2), the average of cells that the membrane cuts exactly"},
     {"bodies", "layers", integer, "", "", standard("1"), bands, "horizontal bands that colour the picture"},
     {"bodies", "shift", boolean, "", "", standard("false"), yes_no, "move particles out of clumps and into voids (fluids only)"},
     {"bodies", "shift_speed", real, "m/s", "", standard("0.0"), not_negative, "v0, shifting of a particle at rest"},

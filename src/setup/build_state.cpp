@@ -171,6 +171,32 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   return membrane;
 }
 
+template <int Dim, class Wanted>
+void allocate_loads(State<Dim>& state, Wanted wanted) {
+  for (Membrane<Dim>& membrane : state.membranes)
+    if (wanted(membrane))
+      for (auto& component : membrane.load) component.assign(membrane.nodes(), 0.0);
+}
+
+/// Splits the initial pressure of enclosed fluids into that of their weight below their highest point, and the rest.
+template <int Dim>
+void enclose_fluids(const Scene& scene, State<Dim>& state) {
+  int count = 0;
+  for (Body<Dim>& body : state.bodies) {
+    if (body.pressure != PressureSupport::enclosed) continue;
+    const auto& fluid = std::get<Newtonian>(body.material);
+    const Array<double>& height = body.x[vertical_axis<Dim>];
+    body.enclosed = count++;
+    body.unit_weight = -scene.gravity[vertical_axis<Dim>] * fluid.density;
+    body.weightless_level = *std::max_element(height.begin(), height.end());
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      const double pressure = fluid.bulk_modulus * (1 / body.J[p] - 1);
+      body.J[p] = 1 / (1 + (pressure - body.unit_weight * (body.weightless_level - height[p])) / fluid.bulk_modulus);
+    }
+    allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.closed && membrane.body == body.name; });
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -184,10 +210,9 @@ State<Dim> build_state(const Scene& scene) {
   for (const MembraneSpec& spec : scene.membranes) state.membranes.push_back(build_membrane<Dim>(scene, spec));
   for (const ContactSpec& spec : scene.contacts) {
     state.contacts.push_back(make_contact(scene, spec, state));
-    for (Membrane<Dim>& membrane : state.membranes)
-      if (membrane.name == spec.membrane)
-        for (auto& component : membrane.contact_force) component.assign(membrane.nodes(), 0.0);
+    allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   }
+  enclose_fluids(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
     if (!tracer) continue;
