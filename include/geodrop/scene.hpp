@@ -213,6 +213,7 @@ struct ContactSpec {
 
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
+inline bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
 enum class WallKind { slip, no_slip, periodic };
 enum class Transfer { tpic, blend, musl };
 /// consistent: two terms of the series for the inverse, see grid/mass_correction.

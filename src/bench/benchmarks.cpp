@@ -16,9 +16,7 @@ bool exists(Basis basis, int dimension) {
 }
 
 /// The average that cures a basis of locking and noise.
-PressureSupport average_of(Basis basis) {
-  return basis == Basis::tri3 || basis == Basis::tet4 ? PressureSupport::nodal : PressureSupport::cell;
-}
+PressureSupport average_of(Basis basis) { return is_simplex(basis) ? PressureSupport::nodal : PressureSupport::cell; }
 
 const char* short_name(BenchMaterial material) {
   switch (material) {
@@ -139,7 +137,7 @@ std::vector<Benchmark> all_benchmarks() {
   for (const int dimension : {2, 3})
     for (const Basis basis : shipped_bases) {
       if (!exists(basis, dimension)) continue;
-      const Transfer plain = basis == Basis::tri3 || basis == Basis::tet4 ? Transfer::musl : Transfer::tpic;
+      const Transfer plain = is_simplex(basis) ? Transfer::musl : Transfer::tpic;
       const auto add = [&](BenchMaterial material, const std::string& suffix, Transfer transfer,
                            PressureSupport pressure) {
         const std::string name =

@@ -95,7 +95,7 @@ void check_zones(const Scene& scene, Report& report) {
 void check_transfer(const Scene& scene, Report& report) {
   if (!report.healthy("grid.basis") || !report.healthy("solver.transfer")) return;
   const Basis basis = scene.grid.basis;
-  if ((basis == Basis::tri3 || basis == Basis::tet4) && scene.solver.transfer != Transfer::musl)
+  if (is_simplex(basis) && scene.solver.transfer != Transfer::musl)
     report.add("solver.transfer", "an affine transfer on simplices, where it is unstable", "\"musl\"");
   if (scene.solver.mass_matrix == MassMatrix::consistent && basis != Basis::bspline2 && basis != Basis::linear)
     report.add("solver.mass_matrix", "\"consistent\" on a basis whose lumping has no constant stencil",

@@ -38,8 +38,7 @@ Moved move_block(const Benchmark& bench) {
 
 WorkCount work(int dimension, Basis basis, BenchMaterial material = BenchMaterial::water,
                PressureSupport pressure = PressureSupport::particle) {
-  const bool simplex = basis == Basis::tri3 || basis == Basis::tet4;
-  return work_of({dimension, basis, material, simplex ? Transfer::musl : Transfer::tpic, pressure});
+  return work_of({dimension, basis, material, is_simplex(basis) ? Transfer::musl : Transfer::tpic, pressure});
 }
 
 }  // namespace
