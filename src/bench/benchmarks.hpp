@@ -30,9 +30,9 @@ inline constexpr const char* main_case_name = "main_case";
 
 /// As scene files name them.
 std::string name_of(Basis basis);
-std::string name_of(BenchMaterial material);
 std::string name_of(Transfer transfer);
 std::string name_of(PressureSupport pressure);
+std::string name_of(BenchMaterial material);
 
 /// Size of a benchmark's block and of the box around it.
 struct BlockSize {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 namespace geodrop {
 namespace {
@@ -282,6 +283,12 @@ std::string join_path(std::string_view parent, std::string_view child) {
   std::string path(parent);
   if (!path.empty()) path += '.';
   return path.append(child);
+}
+
+std::string word_of(std::string_view section, std::string_view name, std::size_t enumerator) {
+  for (const Key* key : keys_of(section))
+    if (key->name == name) return split(key->allowed.text, '|').at(enumerator);
+  throw std::logic_error("no such choice");
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {
