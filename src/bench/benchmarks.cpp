@@ -69,7 +69,7 @@ std::vector<Benchmark> all_benchmarks() {
                            PressureSupport pressure) {
         const std::string name = std::string(shipped(material).short_name) + "_" + std::to_string(dimension) + "d_" +
                                  name_of(basis) + suffix;
-        all.push_back({name, dimension, basis, material, transfer, pressure});
+        all.push_back({{dimension, basis, material, transfer, pressure}, name});
       };
       for (std::size_t m = 0; m < std::size(shipped_materials); ++m) {
         const auto material = static_cast<BenchMaterial>(m);
