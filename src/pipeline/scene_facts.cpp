@@ -10,24 +10,6 @@
 namespace geodrop {
 namespace {
 
-template <class T>
-double bytes(const Array<T>& values) {
-  return static_cast<double>(values.size() * sizeof(T));
-}
-
-template <int Dim>
-double particle_bytes(const Body<Dim>& body) {
-  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) +
-               bytes(body.id) + bytes(body.layer);
-  for (const auto& values : body.x) sum += bytes(values);
-  for (const auto& values : body.v) sum += bytes(values);
-  for (const auto& values : body.affine) sum += bytes(values);
-  for (const auto& values : body.stress) sum += bytes(values);
-  for (const auto& values : body.deformation) sum += bytes(values);
-  for (const auto& values : body.initial_x) sum += bytes(values);
-  return sum;
-}
-
 /// Density at the lowest particle of a still fluid over its density at zero pressure, less one.
 template <int Dim>
 double density_rise(const Body<Dim>& body) {
