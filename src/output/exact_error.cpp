@@ -14,13 +14,6 @@
 namespace geodrop {
 namespace {
 
-template <int Dim>
-Vec<Dim> at(const std::array<Array<double>, Dim>& values, std::size_t i) {
-  Vec<Dim> v;
-  for (int a = 0; a < Dim; ++a) v[a] = values[a][i];
-  return v;
-}
-
 /// Squares over the particles, and the largest.
 struct Spread {
   double square = 0, largest = 0;
@@ -70,7 +63,7 @@ Vec<Dim> without_periods(const GridLayout<Dim>& layout, Vec<Dim> d) {
 template <int Dim>
 void add_particle(const ExactSolution<Dim>& solution, const GridLayout<Dim>& layout, double t, const Body<Dim>& body,
                   std::size_t p, ErrorSums& sums) {
-  const Vec<Dim> x = at<Dim>(body.x, p), v = at<Dim>(body.v, p), X = at<Dim>(body.initial_x, body.id[p]);
+  const Vec<Dim> x = vector_at(body.x, p), v = vector_at(body.v, p), X = vector_at(body.initial_x, body.id[p]);
   const ExactPoint<Dim> exact = exact_point<Dim>(solution, X, x, t);
   sums.velocity.add((v - exact.velocity).squaredNorm());
   sums.displacement.add(without_periods<Dim>(layout, x - X - exact.displacement).squaredNorm());

@@ -45,8 +45,7 @@ void allocate(Body<Dim>& body) {
 template <int Dim>
 void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
   for (std::size_t p = 0; p < body.size(); ++p) {
-    Vec<Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
+    const Vec<Dim> x = vector_at(body.x, p);
     const ExactPoint<Dim> exact = exact_point<Dim>(solution, x, x, 0);
     for (int a = 0; a < Dim; ++a) body.v[a][p] = exact.velocity[a];
     for (int c = 0; c < Dim * Dim; ++c) body.affine[c][p] = exact.velocity_gradient(c / Dim, c % Dim);

@@ -94,10 +94,8 @@ void stretch_solid(const UniformMotion<Dim>& motion, Body<Dim>& body, std::size_
 template <int Dim>
 void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
   for (std::size_t p = 0; p < body.size(); ++p) {
-    Vec<Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
     if (const auto* flow = std::get_if<TaylorGreen>(&solution))
-      set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*flow, x, 0)}, body, p);
+      set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*flow, vector_at(body.x, p), 0)}, body, p);
     else if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
       stretch_solid(*motion, body, p);
     else
