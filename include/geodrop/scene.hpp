@@ -350,4 +350,10 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
+/// Null if the scene has none of this name.
+const MaterialSpec* find_material(const Scene& scene, const std::string& name);
+const BodySpec* find_body(const Scene& scene, const std::string& name);
+/// The exact solution that a body follows; null if it follows none.
+const ExactSpec* find_exact(const Scene& scene, const std::string& body);
+
 }  // namespace geodrop

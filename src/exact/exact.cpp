@@ -115,11 +115,10 @@ ExactSolution<Dim> make_exact(const ExactSpec& spec, const Material& material) {
 
 template <int Dim>
 ExactSolution<Dim> exact_solution(const Scene& scene, const std::string& body) {
-  for (const ExactSpec& spec : scene.exact)
-    for (const BodySpec& owner : scene.bodies)
-      for (const MaterialSpec& material : scene.materials)
-        if (spec.body == body && owner.name == body && owner.material == material.name)
-          return make_exact<Dim>(spec, make_material(material));
+  const ExactSpec* const spec = find_exact(scene, body);
+  const BodySpec* const owner = find_body(scene, body);
+  const MaterialSpec* const material = owner ? find_material(scene, owner->material) : nullptr;
+  if (spec && material) return make_exact<Dim>(*spec, make_material(*material));
   throw std::logic_error("check_scene let a body without exact solution pass: " + body);
 }
 

@@ -125,8 +125,8 @@ constexpr double light_share = 0.02;
 double lightest_density(const Scene& scene) {
   double density = std::numeric_limits<double>::infinity();
   for (const BodySpec& body : scene.bodies)
-    for (const MaterialSpec& material : scene.materials)
-      if (material.name == body.material) density = std::min(density, reference_density(make_material(material)));
+    if (const MaterialSpec* material = find_material(scene, body.material))
+      density = std::min(density, reference_density(make_material(*material)));
   return density;
 }
 

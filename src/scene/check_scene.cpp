@@ -9,26 +9,6 @@
 #include <cmath>
 
 namespace geodrop {
-namespace {
-
-template <class List>
-auto find_by_name(const List& list, const std::string& name) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& element) { return element.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
-const MaterialSpec* find_material(const Scene& scene, const std::string& name) {
-  return find_by_name(scene.materials, name);
-}
-const BodySpec* find_body(const Scene& scene, const std::string& name) { return find_by_name(scene.bodies, name); }
-const ExactSpec* find_exact(const Scene& scene, const std::string& body) {
-  const auto found =
-      std::find_if(scene.exact.begin(), scene.exact.end(), [&](const ExactSpec& exact) { return exact.body == body; });
-  return found == scene.exact.end() ? nullptr : &*found;
-}
-
 bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,
                      const char* kind, Report& report) {
   if (name.empty() || !report.healthy(key)) return false;

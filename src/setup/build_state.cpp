@@ -15,15 +15,6 @@
 namespace geodrop {
 namespace {
 
-const MaterialSpec& material_named(const Scene& scene, const std::string& name) {
-  return *std::find_if(scene.materials.begin(), scene.materials.end(),
-                       [&](const MaterialSpec& m) { return m.name == name; });
-}
-
-const BodySpec& body_named(const Scene& scene, const std::string& name) {
-  return *std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& b) { return b.name == name; });
-}
-
 /// Arrays that the material needs; a body without a quantity keeps its array empty.
 template <int Dim>
 void allocate(Body<Dim>& body) {
@@ -99,7 +90,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   Body<Dim> body;
   body.name = spec.name;
   body.material_name = spec.material;
-  body.material = make_material(material_named(scene, spec.material));
+  body.material = make_material(*find_material(scene, spec.material));
   body.pressure = spec.pressure;
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
@@ -148,7 +139,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.averaging_segments = spec.averaging_segments;
   membrane.half_size = 0.5 / spec.segments_per_cell;
   const double spacing = finest_spacing(scene.grid) / spec.segments_per_cell;
-  const Shape drawn = spec.points.empty() ? body_named(scene, spec.body).shape : Shape{PolygonShape{spec.points}};
+  const Shape drawn = spec.points.empty() ? find_body(scene, spec.body)->shape : Shape{PolygonShape{spec.points}};
   const std::vector<Point> nodes =
       spec.points.empty() || spec.closed ? outline(drawn, spacing) : divide_polyline(spec.points, spacing);
   const std::size_t n = nodes.size();

@@ -10,8 +10,7 @@ namespace geodrop {
 namespace {
 
 const NewtonianSpec& fluid_of(const Scene& scene, const std::string& name) {
-  for (const MaterialSpec& material : scene.materials)
-    if (material.name == name) return std::get<NewtonianSpec>(material.model);
+  if (const MaterialSpec* fluid = find_material(scene, name)) return std::get<NewtonianSpec>(fluid->model);
   throw std::logic_error("check_scene let an unknown fluid pass: " + name);
 }
 

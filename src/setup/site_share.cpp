@@ -201,8 +201,7 @@ SiteShare<3> integrate_in_space(const CutSite& cut) {
 
 BodyRegion::BodyRegion(const Scene& scene, const BodySpec& spec) : shape_(&spec.shape) {
   for (const std::string& name : spec.minus)
-    for (const BodySpec& other : scene.bodies)
-      if (other.name == name) removed_.push_back(&other.shape);
+    if (const BodySpec* other = find_body(scene, name)) removed_.push_back(&other->shape);
 }
 
 bool BodyRegion::holds(const Point& x) const {
