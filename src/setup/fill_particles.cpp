@@ -202,13 +202,6 @@ std::vector<Cover> block_covers(const Lattice<Dim>& lattice, const BodyRegion& r
 }
 
 template <int Dim>
-SiteShare<Dim> whole_site(const Bounds& site) {
-  SiteShare<Dim> whole{1, {}};
-  for (int a = 0; a < Dim; ++a) whole.centroid[a] = (site.lower[a] + site.upper[a]) / 2;
-  return whole;
-}
-
-template <int Dim>
 std::vector<Portion<Dim>> divide(const Lattice<Dim>& lattice, const BodyRegion& region) {
   std::vector<Portion<Dim>> portions, small;
   const std::vector<Cover> covers = block_covers(lattice, region);
