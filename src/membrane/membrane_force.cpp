@@ -101,19 +101,31 @@ std::array<double, Dim> node_position(const Membrane<Dim>& membrane, std::size_t
 }
 
 template <int Dim>
+PointSupport<Dim> support_of_node(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, std::size_t k) {
+  return {layout, node_position(membrane, k), membrane.half_size};
+}
+
+/// m (v, 1) of a node.
+template <int Dim>
+Vec4 momentum_of_node(const Membrane<Dim>& membrane, std::size_t k) {
+  Vec4 momentum{};
+  for (int a = 0; a < Dim; ++a) momentum[a] = membrane.mass[k] * membrane.v[a][k];
+  momentum[3] = membrane.mass[k];
+  return momentum;
+}
+
+template <int Dim>
 void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt) {
   const auto force = membrane_forces(membrane);
   const bool separate = !grid.force.empty();
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    Vec4 momentum{}, f{};
+    Vec4 momentum = momentum_of_node(membrane, k), f{};
     for (int a = 0; a < Dim; ++a) {
-      momentum[a] = membrane.mass[k] * membrane.v[a][k];
       f[a] = force[a][k];
       if (!membrane.load[a].empty()) f[a] += membrane.load[a][k];
     }
-    momentum[3] = membrane.mass[k];
     if (!separate) momentum += dt * f;
-    const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+    const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
     support.for_each_node(grid.layout, [&](int node, double weight) {
       grid.sum[node] += weight * momentum;
       if (separate) grid.force[node] += weight * f;
@@ -180,7 +192,7 @@ void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const
   const double damping = std::exp(-solver.damping_rate * dt);
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
       for (int a = 0; a < Dim; ++a)
@@ -192,10 +204,8 @@ template <int Dim>
 void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid) {
   for (const Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      Vec4 momentum{};
-      for (int a = 0; a < Dim; ++a) momentum[a] = membrane.mass[k] * membrane.v[a][k];
-      momentum[3] = membrane.mass[k];
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const Vec4 momentum = momentum_of_node(membrane, k);
+      const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       support.for_each_node(grid.layout, [&](int node, double weight) { grid.sum[node] += weight * momentum; });
     }
 }
@@ -206,7 +216,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
   double displacement = 0;
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       for (int a = 0; a < Dim; ++a) {
         membrane.x[a][k] += dt * v[a];
