@@ -133,6 +133,16 @@ void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt)
   }
 }
 
+/// A tracer has no extent of its own; with Basis::gimp it sees what a particle of a quarter cell's half width sees [h].
+constexpr double tracer_half_size = 0.25;
+
+/// Where a tracer is seen; its own coordinates run on across periodic walls, so that displacements do not jump.
+template <int Dim>
+std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<double, Dim> x) {
+  for (int a = 0; a < Dim; ++a) x[a] = layout.wrapped(a, x[a]);
+  return x;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -225,15 +235,6 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
       check_on_grid<Dim>(grid.layout, node_position(membrane, k), "a node of membrane", membrane.name);
     }
   state.drift += displacement;
-}
-
-/// A tracer has no extent of its own; with Basis::gimp it sees what a particle of a quarter cell's half width sees [h].
-constexpr double tracer_half_size = 0.25;
-/// Where a tracer is seen; its own coordinates run on across periodic walls, so that displacements do not jump.
-template <int Dim>
-std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<double, Dim> x) {
-  for (int a = 0; a < Dim; ++a) x[a] = layout.wrapped(a, x[a]);
-  return x;
 }
 
 template <int Dim>

@@ -63,14 +63,6 @@ void set_solid(double density, const StressAt& at, Body<Dim>& body, std::size_t 
   if (pores) body.pore_pressure[p] = at.fluid_pressure;
 }
 
-}  // namespace
-
-double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
-  const NewtonianSpec& fluid = fluid_of(scene, still.fluid);
-  return still_pressure({fluid.density, fluid.bulk_modulus, fluid.viscosity}, -scene.gravity[scene.dimension - 1],
-                        still.surface - y);
-}
-
 /// sigma of uniform stretches along the axes, from zero strain: logarithmic for the hypoelastic law.
 template <int Dim>
 void stretch_solid(const UniformMotion<Dim>& motion, Body<Dim>& body, std::size_t p) {
@@ -100,6 +92,14 @@ void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
     else
       set_solid(reference_density(body.material), {}, body, p);  // those that swing begin unstrained
   }
+}
+
+}  // namespace
+
+double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
+  const NewtonianSpec& fluid = fluid_of(scene, still.fluid);
+  return still_pressure({fluid.density, fluid.bulk_modulus, fluid.viscosity}, -scene.gravity[scene.dimension - 1],
+                        still.surface - y);
 }
 
 template <int Dim>
