@@ -213,6 +213,7 @@ struct ContactSpec {
 
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
+inline bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
 enum class WallKind { slip, no_slip, periodic };
 enum class Transfer { tpic, blend, musl };
 /// consistent: two terms of the series for the inverse, see grid/mass_correction.
@@ -348,5 +349,11 @@ struct Scene {
   std::string as_run;  ///< the scene as TOML with overrides applied and all defaults filled in
   bool operator==(const Scene&) const = default;
 };
+
+/// Null if the scene has none of this name.
+const MaterialSpec* find_material(const Scene& scene, const std::string& name);
+const BodySpec* find_body(const Scene& scene, const std::string& name);
+/// The exact solution that a body follows; null if it follows none.
+const ExactSpec* find_exact(const Scene& scene, const std::string& body);
 
 }  // namespace geodrop

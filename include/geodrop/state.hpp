@@ -54,6 +54,10 @@ struct Body {
 template <int Dim>
 double mean_pressure(const Body<Dim>& body, std::size_t p);
 
+/// Memory of all that the particles of a body have [byte].
+template <int Dim>
+double particle_bytes(const Body<Dim>& body);
+
 /// Tension-only membrane: a polyline of nodes with segments between neighbours (2D).
 template <int Dim>
 struct Membrane {
@@ -115,6 +119,13 @@ struct State {
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
   Array<std::uint32_t> active_blocks;  ///< sorted; blocks of the grid that particles may touch until the next sort
+
+  /// Number of particles of all bodies.
+  std::size_t particles() const {
+    std::size_t count = 0;
+    for (const Body<Dim>& body : bodies) count += body.size();
+    return count;
+  }
 };
 
 /// Read-only view for writers, probes and checkpoints.

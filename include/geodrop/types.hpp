@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -43,5 +44,13 @@ struct CacheAlignedAllocator {
 
 template <class T>
 using Array = std::vector<T, CacheAlignedAllocator<T>>;
+
+/// Entry i of a field that has an array for each component.
+template <std::size_t Dim>
+Vec<static_cast<int>(Dim)> vector_at(const std::array<Array<double>, Dim>& field, std::size_t i) {
+  Vec<static_cast<int>(Dim)> v;
+  for (std::size_t a = 0; a < Dim; ++a) v[static_cast<int>(a)] = field[a][i];
+  return v;
+}
 
 }  // namespace geodrop

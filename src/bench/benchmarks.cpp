@@ -1,5 +1,7 @@
 #include "benchmarks.hpp"
 
+#include "../scene/key_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,53 +10,29 @@ namespace {
 
 // A new basis is one word here, and its costs in work_counts.cpp.
 constexpr Basis shipped_bases[] = {Basis::bspline2, Basis::gimp, Basis::linear, Basis::tri3, Basis::tet4};
-constexpr BenchMaterial shipped_materials[] = {BenchMaterial::water,  BenchMaterial::viscous, BenchMaterial::elastic,
-                                               BenchMaterial::rubber, BenchMaterial::soil,    BenchMaterial::undrained};
 
 bool exists(Basis basis, int dimension) {
   return basis == Basis::tri3 ? dimension == 2 : basis == Basis::tet4 ? dimension == 3 : true;
 }
 
 /// The average that cures a basis of locking and noise.
-PressureSupport average_of(Basis basis) {
-  return basis == Basis::tri3 || basis == Basis::tet4 ? PressureSupport::nodal : PressureSupport::cell;
-}
+PressureSupport average_of(Basis basis) { return is_simplex(basis) ? PressureSupport::nodal : PressureSupport::cell; }
 
-const char* short_name(BenchMaterial material) {
-  switch (material) {
-    case BenchMaterial::water:
-      return "water";
-    case BenchMaterial::viscous:
-      return "viscous";
-    case BenchMaterial::elastic:
-      return "elastic";
-    case BenchMaterial::rubber:
-      return "rubber";
-    case BenchMaterial::soil:
-      return "soil";
-    case BenchMaterial::undrained:
-      return "undrained";
-  }
-  return "";
-}
-
-MaterialSpec material_spec(BenchMaterial material) {
-  MaterialSpec spec;
-  spec.name = short_name(material);
-  if (material == BenchMaterial::water)
-    spec.model = NewtonianSpec{1000, 3.6e6, 0};
-  else if (material == BenchMaterial::viscous)
-    spec.model = NewtonianSpec{1000, 3.6e6, 8.9e-4};
-  else if (material == BenchMaterial::elastic)
-    spec.model = LinearElasticSpec{2000, 10e6, 0.33};
-  else if (material == BenchMaterial::rubber)
-    spec.model = NeoHookeanSpec{2000, 10e6, 0.33};
-  else if (material == BenchMaterial::soil)
-    spec.model = MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, std::nullopt};
-  else
-    spec.model = MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, UndrainedSpec{0.4, 80e6}};
-  return spec;
-}
+struct ShippedMaterial {
+  const char* short_name;  ///< heads the names of benchmarks
+  const char* name;        ///< in tables
+  decltype(MaterialSpec::model) model;
+};
+/// In the order of BenchMaterial.
+const ShippedMaterial shipped_materials[] = {
+    {"water", "newtonian", NewtonianSpec{1000, 3.6e6, 0}},
+    {"viscous", "newtonian_viscous", NewtonianSpec{1000, 3.6e6, 8.9e-4}},
+    {"elastic", "linear_elastic", LinearElasticSpec{2000, 10e6, 0.33}},
+    {"rubber", "neo_hookean", NeoHookeanSpec{2000, 10e6, 0.33}},
+    {"soil", "mohr_coulomb", MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, std::nullopt}},
+    {"undrained", "mohr_coulomb_undrained", MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, UndrainedSpec{0.4, 80e6}}},
+};
+const ShippedMaterial& shipped(BenchMaterial material) { return shipped_materials[static_cast<std::size_t>(material)]; }
 
 /// Takes all strain back; puts soil on its yield surface, sheared as far as the mean stress allows, in the sense of the
 /// motion.
@@ -74,79 +52,27 @@ void renew_stress(double direction, Body<Dim>& body) {
 
 }  // namespace
 
-std::string name_of(Basis basis) {
-  switch (basis) {
-    case Basis::bspline2:
-      return "bspline2";
-    case Basis::gimp:
-      return "gimp";
-    case Basis::linear:
-      return "linear";
-    case Basis::tri3:
-      return "tri3";
-    case Basis::tet4:
-      return "tet4";
-  }
-  return "";
-}
-
-std::string name_of(BenchMaterial material) {
-  switch (material) {
-    case BenchMaterial::water:
-      return "newtonian";
-    case BenchMaterial::viscous:
-      return "newtonian_viscous";
-    case BenchMaterial::elastic:
-      return "linear_elastic";
-    case BenchMaterial::rubber:
-      return "neo_hookean";
-    case BenchMaterial::soil:
-      return "mohr_coulomb";
-    case BenchMaterial::undrained:
-      return "mohr_coulomb_undrained";
-  }
-  return "";
-}
-
-std::string name_of(Transfer transfer) {
-  switch (transfer) {
-    case Transfer::tpic:
-      return "tpic";
-    case Transfer::blend:
-      return "blend";
-    case Transfer::musl:
-      return "musl";
-  }
-  return "";
-}
-
+std::string name_of(Basis basis) { return word_of("grid", "basis", static_cast<std::size_t>(basis)); }
+std::string name_of(Transfer transfer) { return word_of("solver", "transfer", static_cast<std::size_t>(transfer)); }
 std::string name_of(PressureSupport pressure) {
-  switch (pressure) {
-    case PressureSupport::cell:
-      return "cell";
-    case PressureSupport::particle:
-      return "particle";
-    case PressureSupport::nodal:
-      return "nodal";
-    case PressureSupport::enclosed:
-      return "enclosed";
-  }
-  return "";
+  return word_of("bodies", "pressure", static_cast<std::size_t>(pressure));
 }
+std::string name_of(BenchMaterial material) { return shipped(material).name; }
 
 std::vector<Benchmark> all_benchmarks() {
   std::vector<Benchmark> all;
   for (const int dimension : {2, 3})
     for (const Basis basis : shipped_bases) {
       if (!exists(basis, dimension)) continue;
-      const Transfer plain = basis == Basis::tri3 || basis == Basis::tet4 ? Transfer::musl : Transfer::tpic;
+      const Transfer plain = is_simplex(basis) ? Transfer::musl : Transfer::tpic;
       const auto add = [&](BenchMaterial material, const std::string& suffix, Transfer transfer,
                            PressureSupport pressure) {
-        const std::string name =
-            std::string(short_name(material)) + "_" + std::to_string(dimension) + "d_" + name_of(basis) + suffix;
-        all.push_back({name, dimension, basis, material, transfer, pressure});
+        const std::string name = std::string(shipped(material).short_name) + "_" + std::to_string(dimension) + "d_" +
+                                 name_of(basis) + suffix;
+        all.push_back({{dimension, basis, material, transfer, pressure}, name});
       };
-      for (const BenchMaterial material : shipped_materials) {
+      for (std::size_t m = 0; m < std::size(shipped_materials); ++m) {
+        const auto material = static_cast<BenchMaterial>(m);
         // A free corner of rubber on hat functions tears itself apart within 40 steps unless MUSL holds it.
         const bool tears = basis == Basis::linear && material == BenchMaterial::rubber;
         add(material, "", tears ? Transfer::musl : plain, PressureSupport::particle);
@@ -181,7 +107,8 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size) {
   scene.solver.transfer = bench.transfer;
   scene.solver.blend_rate = bench.transfer == Transfer::tpic ? 0 : 10;
   scene.time.end = 1e3;
-  scene.materials.push_back(material_spec(bench.material));
+  const ShippedMaterial& material = shipped(bench.material);
+  scene.materials.push_back({material.short_name, material.model, {}});
   BodySpec body;
   body.name = "block";
   body.material = scene.materials[0].name;

@@ -12,14 +12,18 @@ namespace geodrop {
 /// A material as benchmarks name it.
 enum class BenchMaterial { water, viscous, elastic, rubber, soil, undrained };
 
-struct Benchmark {
-  std::string name;
+/// Which kernels a particle passes through.
+struct WorkKind {
   int dimension = 2;
   Basis basis = Basis::bspline2;
   BenchMaterial material = BenchMaterial::water;
   Transfer transfer = Transfer::tpic;
   PressureSupport pressure = PressureSupport::particle;
-  bool graded = false;  ///< graded kernels, on cells of the same width: all that differs is what they cost
+  bool graded = false;  ///< benchmarks: graded kernels on cells of the same width; all that differs is what they cost
+};
+
+struct Benchmark : WorkKind {
+  std::string name;
 };
 
 /// Every (dimension, basis, material) that ships, and the options that change the cost of a step.
@@ -30,9 +34,9 @@ inline constexpr const char* main_case_name = "main_case";
 
 /// As scene files name them.
 std::string name_of(Basis basis);
-std::string name_of(BenchMaterial material);
 std::string name_of(Transfer transfer);
 std::string name_of(PressureSupport pressure);
+std::string name_of(BenchMaterial material);
 
 /// Size of a benchmark's block and of the box around it.
 struct BlockSize {

@@ -23,31 +23,6 @@ struct Subject {
   Pipeline<Dim> pipeline;
 };
 
-template <int Dim>
-std::size_t particle_count(const State<Dim>& state) {
-  std::size_t n = 0;
-  for (const Body<Dim>& body : state.bodies) n += body.size();
-  return n;
-}
-
-template <class T>
-double bytes_in(const Array<T>& values) {
-  return static_cast<double>(values.size() * sizeof(T));
-}
-
-template <int Dim>
-double particle_bytes(const Body<Dim>& body) {
-  double bytes = bytes_in(body.mass) + bytes_in(body.J) + bytes_in(body.pore_pressure) +
-                 bytes_in(body.deviatoric_strain) + bytes_in(body.id) + bytes_in(body.layer);
-  for (const auto& values : body.x) bytes += bytes_in(values);
-  for (const auto& values : body.v) bytes += bytes_in(values);
-  for (const auto& values : body.affine) bytes += bytes_in(values);
-  for (const auto& values : body.deformation) bytes += bytes_in(values);
-  for (const auto& values : body.stress) bytes += bytes_in(values);
-  for (const auto& values : body.initial_x) bytes += bytes_in(values);
-  return bytes;
-}
-
 BenchMaterial kind_of(const Material& material) {
   if (const auto* water = std::get_if<Newtonian>(&material))
     return water->viscosity > 0 ? BenchMaterial::viscous : BenchMaterial::water;
@@ -59,7 +34,7 @@ BenchMaterial kind_of(const Material& material) {
 template <int Dim>
 SpeedMeasurement describe(const Subject<Dim>& subject) {
   SpeedMeasurement m;
-  m.particles = particle_count(subject.state);
+  m.particles = subject.state.particles();
   m.nodes = subject.grid.layout.nodes();
   m.active_blocks = subject.state.active_blocks.size();
   const double all = static_cast<double>(m.particles);
@@ -91,7 +66,7 @@ SpeedSample time_steps(Subject<Dim>& subject, int threads, Run&& run) {
   const Stopwatch watch(threads);
   const int steps = run();
   const double wall = watch.wall_seconds(), judged = watch.judged_seconds();
-  const double to_ns = 1e9 / (static_cast<double>(particle_count(subject.state)) * steps);
+  const double to_ns = 1e9 / (static_cast<double>(subject.state.particles()) * steps);
   SpeedSample sample{wall * to_ns, judged * to_ns, {}};
   for (const Stage<Dim>& stage : subject.pipeline) sample.stages.push_back({stage.name, stage.seconds * to_ns});
   return sample;

@@ -114,8 +114,7 @@ double pressure_flops(PressureSupport pressure, int d, const TransferCost& trans
 /// MUSL gives the new velocity back to the grid before the gradient is taken: weights twice more, the velocity
 /// gathered, momentum 4 lanes a node.
 double remap_flops(Basis basis, int d, const TransferCost& transfer) {
-  const bool simplex = basis == Basis::tri3 || basis == Basis::tet4;
-  const double nodes = simplex ? d + 1 : std::pow(basis == Basis::linear ? 2 : 3, d);
+  const double nodes = is_simplex(basis) ? d + 1 : std::pow(basis == Basis::linear ? 2 : 3, d);
   return 2 * transfer.weights + transfer.gather + nodes * 4 * lanes;
 }
 

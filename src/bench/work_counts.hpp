@@ -19,15 +19,6 @@ struct WorkCount {
   WorkCount operator*(double factor) const { return {flops * factor, bytes * factor}; }
 };
 
-/// Which kernels a particle passes through.
-struct WorkKind {
-  int dimension = 2;
-  Basis basis = Basis::bspline2;
-  BenchMaterial material = BenchMaterial::water;
-  Transfer transfer = Transfer::tpic;
-  PressureSupport pressure = PressureSupport::particle;
-  bool graded = false;
-};
 WorkCount work_of(const WorkKind& kind);
 
 }  // namespace geodrop

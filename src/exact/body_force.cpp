@@ -27,9 +27,7 @@ void body_force_to_grid(const std::vector<DrivenBody>& driven, const State<Dim>&
     for (auto& component : force) component.resize(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
-      Vec<Dim> X;
-      for (int a = 0; a < Dim; ++a) X[a] = body.initial_x[a][body.id[p]];
-      const Vec<Dim> b = body_force<Dim>(one.mms, X, step.t);
+      const Vec<Dim> b = body_force<Dim>(one.mms, vector_at(body.initial_x, body.id[p]), step.t);
       for (int a = 0; a < Dim; ++a) force[a][p] = separate ? b[a] : step.dt * b[a];
     }
     Vec4* const target = separate ? grid.force.data() : grid.sum.data();

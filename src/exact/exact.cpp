@@ -53,18 +53,30 @@ ExactSolution<Dim> make(const BarFirstModeSpec& spec, const Material& material) 
 
 // --- Of one point ------------------------------------------------------------------------------
 
+struct AlongAxis {
+  double displacement, stretch;  ///< [m], [-]
+};
+AlongAxis along_axis(const AxisAlignedMms& mms, int axis, double X, double t) {
+  const double k = mms.wave_number, swing = mms.amplitude * std::sin(mms.frequency * t + phase(axis));
+  return {swing * std::sin(k * X), 1 + swing * k * std::cos(k * X)};
+}
+
+/// What is left of the speed of the vortices [m/s].
+double speed_at(const TaylorGreen& flow, double t) {
+  return flow.speed * std::exp(-2 * flow.viscosity * flow.wave_number * flow.wave_number * t);
+}
+
 template <int Dim>
 ExactPoint<Dim> point(const AxisAlignedMms& mms, const Vec<Dim>& X, const Vec<Dim>&, double t) {
   ExactPoint<Dim> out;
   const double k = mms.wave_number, omega = mms.frequency;
   for (int a = 0; a < Dim; ++a) {
-    const double swing = mms.amplitude * std::sin(omega * t + phase(a));
+    const AlongAxis now = along_axis(mms, a, X[a], t);
     const double speed = mms.amplitude * omega * std::cos(omega * t + phase(a));
-    const double stretch = 1 + swing * k * std::cos(k * X[a]);
-    out.displacement[a] = swing * std::sin(k * X[a]);
+    out.displacement[a] = now.displacement;
     out.velocity[a] = speed * std::sin(k * X[a]);
-    out.velocity_gradient(a, a) = speed * k * std::cos(k * X[a]) / stretch;
-    out.volume_ratio *= stretch;
+    out.velocity_gradient(a, a) = speed * k * std::cos(k * X[a]) / now.stretch;
+    out.volume_ratio *= now.stretch;
   }
   return out;
 }
@@ -72,7 +84,7 @@ ExactPoint<Dim> point(const AxisAlignedMms& mms, const Vec<Dim>& X, const Vec<Di
 template <int Dim>
 ExactPoint<Dim> point(const TaylorGreen& flow, const Vec<Dim>&, const Vec<Dim>& x, double t) {
   ExactPoint<Dim> out;
-  const double k = flow.wave_number, u = flow.speed * std::exp(-2 * flow.viscosity * k * k * t);
+  const double k = flow.wave_number, u = speed_at(flow, t);
   const double sx = std::sin(k * x[0]), cx = std::cos(k * x[0]), sy = std::sin(k * x[1]), cy = std::cos(k * x[1]);
   out.velocity[0] = u * sx * cy;
   out.velocity[1] = -u * cx * sy;
@@ -115,11 +127,10 @@ ExactSolution<Dim> make_exact(const ExactSpec& spec, const Material& material) {
 
 template <int Dim>
 ExactSolution<Dim> exact_solution(const Scene& scene, const std::string& body) {
-  for (const ExactSpec& spec : scene.exact)
-    for (const BodySpec& owner : scene.bodies)
-      for (const MaterialSpec& material : scene.materials)
-        if (spec.body == body && owner.name == body && owner.material == material.name)
-          return make_exact<Dim>(spec, make_material(material));
+  const ExactSpec* const spec = find_exact(scene, body);
+  const BodySpec* const owner = find_body(scene, body);
+  const MaterialSpec* const material = owner ? find_material(scene, owner->material) : nullptr;
+  if (spec && material) return make_exact<Dim>(*spec, make_material(*material));
   throw std::logic_error("check_scene let a body without exact solution pass: " + body);
 }
 
@@ -130,7 +141,7 @@ ExactPoint<Dim> exact_point(const ExactSolution<Dim>& solution, const Vec<Dim>& 
 
 template <int Dim>
 double pressure(const TaylorGreen& flow, const Vec<Dim>& x, double t) {
-  const double k = flow.wave_number, u = flow.speed * std::exp(-2 * flow.viscosity * k * k * t);
+  const double k = flow.wave_number, u = speed_at(flow, t);
   return flow.density * u * u / 4 * (std::cos(2 * k * x[0]) + std::cos(2 * k * x[1]));
 }
 
@@ -141,9 +152,9 @@ Vec<Dim> body_force(const AxisAlignedMms& mms, const Vec<Dim>& X, double t) {
   const double k = mms.wave_number, omega = mms.frequency;
   Vec<Dim> u, stretch;
   for (int a = 0; a < Dim; ++a) {
-    const double swing = mms.amplitude * std::sin(omega * t + phase(a));
-    u[a] = swing * std::sin(k * X[a]);
-    stretch[a] = 1 + swing * k * std::cos(k * X[a]);
+    const AlongAxis now = along_axis(mms, a, X[a], t);
+    u[a] = now.displacement;
+    stretch[a] = now.stretch;
   }
   const double log_volume = std::log(stretch.prod());
   Vec<Dim> force;
@@ -160,8 +171,7 @@ double velocity_scale(const ExactSolution<Dim>& solution, double t) {
   if (const auto* mms = std::get_if<AxisAlignedMms>(&solution)) return mms->amplitude * mms->frequency;
   if (const auto* bar = std::get_if<BarFirstMode>(&solution)) return std::abs(bar->amplitude);
   if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution)) return motion->wave_speed;
-  const auto& flow = std::get<TaylorGreen>(solution);
-  return flow.speed * std::exp(-2 * flow.viscosity * flow.wave_number * flow.wave_number * t) / std::numbers::sqrt2;
+  return speed_at(std::get<TaylorGreen>(solution), t) / std::numbers::sqrt2;
 }
 
 template <int Dim>

@@ -1,40 +1,9 @@
-// The kernels of 2D with three-node triangles: one translation unit per (dimension, basis), see dispatch.hpp.
+// The kernels of 2D with three-node triangles.
 #include "dispatch.hpp"
 
 namespace geodrop {
 
-template <>
-GEODROP_KERNEL void scatter<2, Simplex>(const Body<2>& body, Grid<2>& grid, double dt, std::size_t begin,
-                                        std::size_t end) {
-  scatter_dispatch<2, Simplex>(body, grid, dt, begin, end);
-}
-
-template <>
-GEODROP_KERNEL Maxima gather<2, Simplex>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
-                                         std::size_t begin, std::size_t end) {
-  return gather_dispatch<2, Simplex>(body, grid, options, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void sum_nodal_pressure<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_nodal_pressure_range<2>(body, grid, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void sum_nodal_rate<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_nodal_rate_range<2>(body, grid, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void update_velocity<2, Simplex>(Body<2>& body, const Grid<2>& grid, const GatherOptions& options,
-                                                std::size_t begin, std::size_t end) {
-  update_velocity_range<2, Simplex>(body, grid, options, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void sum_by_mass<2, Simplex>(const Body<2>& body, const ByMass<2>& what, const GridLayout<2>& layout,
-                                            Vec4* sum, std::size_t begin, std::size_t end) {
-  sum_by_mass_range<2, Simplex>(body, what, layout, sum, begin, end);
-}
+GEODROP_KERNELS(2, Simplex)
+GEODROP_NODAL_KERNELS(2)
 
 }  // namespace geodrop

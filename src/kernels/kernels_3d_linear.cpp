@@ -1,30 +1,8 @@
-// The kernels of 3D with hat functions: one translation unit per (dimension, basis), see dispatch.hpp.
+// The kernels of 3D with hat functions.
 #include "dispatch.hpp"
 
 namespace geodrop {
 
-template <>
-GEODROP_KERNEL void scatter<3, Linear>(const Body<3>& body, Grid<3>& grid, double dt, std::size_t begin,
-                                       std::size_t end) {
-  scatter_dispatch<3, Linear>(body, grid, dt, begin, end);
-}
-
-template <>
-GEODROP_KERNEL Maxima gather<3, Linear>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
-                                        std::size_t begin, std::size_t end) {
-  return gather_dispatch<3, Linear>(body, grid, options, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void update_velocity<3, Linear>(Body<3>& body, const Grid<3>& grid, const GatherOptions& options,
-                                               std::size_t begin, std::size_t end) {
-  update_velocity_range<3, Linear>(body, grid, options, begin, end);
-}
-
-template <>
-GEODROP_KERNEL void sum_by_mass<3, Linear>(const Body<3>& body, const ByMass<3>& what, const GridLayout<3>& layout,
-                                           Vec4* sum, std::size_t begin, std::size_t end) {
-  sum_by_mass_range<3, Linear>(body, what, layout, sum, begin, end);
-}
+GEODROP_KERNELS(3, Linear)
 
 }  // namespace geodrop

@@ -9,14 +9,7 @@
 namespace geodrop {
 
 /// Fewer particles than this are not worth waking threads for.
-inline constexpr std::ptrdiff_t particles_worth_threads = 2048;
-
-template <int Dim>
-std::ptrdiff_t particle_count(const State<Dim>& state) {
-  std::size_t n = 0;
-  for (const Body<Dim>& body : state.bodies) n += body.size();
-  return static_cast<std::ptrdiff_t>(n);
-}
+inline constexpr std::size_t particles_worth_threads = 2048;
 
 template <int Dim>
 bool holds_particles(const State<Dim>& state, int slab) {
@@ -40,7 +33,7 @@ std::vector<int> slabs_of_colour(const State<Dim>& state, const GridLayout<Dim>&
 /// order, so each node receives its contributions in the same order whatever the number of threads.
 template <int Dim, class F>
 void for_each_slab_by_colour(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
-  const bool threads = particle_count(state) >= particles_worth_threads;
+  const bool threads = state.particles() >= particles_worth_threads;
   for (int colour = 0; colour < slab_colours<Dim>; ++colour) {
     const std::vector<int> slabs = slabs_of_colour(state, layout, colour);
     const auto n = static_cast<std::ptrdiff_t>(slabs.size());

@@ -29,9 +29,19 @@ std::ptrdiff_t task_count(const Body<Dim>& body) {
 template <int Dim, class F>
 void for_each_task(const Body<Dim>& body, F&& f) {
   const std::ptrdiff_t tasks = task_count(body);
-#pragma omp parallel for schedule(dynamic, 4) if (static_cast <std::ptrdiff_t>(body.size()) >= particles_worth_threads)
+#pragma omp parallel for schedule(dynamic, 4) if (body.size() >= particles_worth_threads)
   for (std::ptrdiff_t task = 0; task < tasks; ++task)
     f(task, task * task_share, std::min(body.size(), (task + 1) * task_share));
+}
+
+/// Sums over particles become means over the volumes that reach a node.
+template <int Dim>
+void divide_by_volume(const State<Dim>& state, Grid<Dim>& grid, Array<double>& field) {
+  for_each_seam(grid.layout, [&](int axis) { sum_over_seam(grid.layout, axis, field); });
+  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+    for (int node = begin; node < begin + count; ++node)
+      if (grid.node_volume[node] > 0) field[node] /= grid.node_volume[node];
+  });
 }
 
 }  // namespace
@@ -57,20 +67,6 @@ void sum_particles_in_cells(const State<Dim>& state, Grid<Dim>& grid) {
     sum_cells<Dim>(body, grid, begin, end);
   });
 }
-
-namespace {
-
-/// Sums over particles become means over the volumes that reach a node.
-template <int Dim>
-void divide_by_volume(const State<Dim>& state, Grid<Dim>& grid, Array<double>& field) {
-  for_each_seam(grid.layout, [&](int axis) { sum_over_seam(grid.layout, axis, field); });
-  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
-    for (int node = begin; node < begin + count; ++node)
-      if (grid.node_volume[node] > 0) field[node] /= grid.node_volume[node];
-  });
-}
-
-}  // namespace
 
 template <int Dim>
 void average_nodal_pressure(const State<Dim>& state, Grid<Dim>& grid) {

@@ -101,24 +101,46 @@ std::array<double, Dim> node_position(const Membrane<Dim>& membrane, std::size_t
 }
 
 template <int Dim>
+PointSupport<Dim> support_of_node(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, std::size_t k) {
+  return {layout, node_position(membrane, k), membrane.half_size};
+}
+
+/// m (v, 1) of a node.
+template <int Dim>
+Vec4 momentum_of_node(const Membrane<Dim>& membrane, std::size_t k) {
+  Vec4 momentum{};
+  for (int a = 0; a < Dim; ++a) momentum[a] = membrane.mass[k] * membrane.v[a][k];
+  momentum[3] = membrane.mass[k];
+  return momentum;
+}
+
+template <int Dim>
 void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt) {
   const auto force = membrane_forces(membrane);
   const bool separate = !grid.force.empty();
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    Vec4 momentum{}, f{};
+    Vec4 momentum = momentum_of_node(membrane, k), f{};
     for (int a = 0; a < Dim; ++a) {
-      momentum[a] = membrane.mass[k] * membrane.v[a][k];
       f[a] = force[a][k];
       if (!membrane.load[a].empty()) f[a] += membrane.load[a][k];
     }
-    momentum[3] = membrane.mass[k];
     if (!separate) momentum += dt * f;
-    const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+    const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
     support.for_each_node(grid.layout, [&](int node, double weight) {
       grid.sum[node] += weight * momentum;
       if (separate) grid.force[node] += weight * f;
     });
   }
+}
+
+/// A tracer has no extent of its own; with Basis::gimp it sees what a particle of a quarter cell's half width sees [h].
+constexpr double tracer_half_size = 0.25;
+
+/// Where a tracer is seen; its own coordinates run on across periodic walls, so that displacements do not jump.
+template <int Dim>
+std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<double, Dim> x) {
+  for (int a = 0; a < Dim; ++a) x[a] = layout.wrapped(a, x[a]);
+  return x;
 }
 
 }  // namespace
@@ -180,7 +202,7 @@ void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const
   const double damping = std::exp(-solver.damping_rate * dt);
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
       for (int a = 0; a < Dim; ++a)
@@ -192,10 +214,8 @@ template <int Dim>
 void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid) {
   for (const Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      Vec4 momentum{};
-      for (int a = 0; a < Dim; ++a) momentum[a] = membrane.mass[k] * membrane.v[a][k];
-      momentum[3] = membrane.mass[k];
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const Vec4 momentum = momentum_of_node(membrane, k);
+      const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       support.for_each_node(grid.layout, [&](int node, double weight) { grid.sum[node] += weight * momentum; });
     }
 }
@@ -206,7 +226,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
   double displacement = 0;
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const PointSupport<Dim> support(grid.layout, node_position(membrane, k), membrane.half_size);
+      const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       for (int a = 0; a < Dim; ++a) {
         membrane.x[a][k] += dt * v[a];
@@ -215,15 +235,6 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
       check_on_grid<Dim>(grid.layout, node_position(membrane, k), "a node of membrane", membrane.name);
     }
   state.drift += displacement;
-}
-
-/// A tracer has no extent of its own; with Basis::gimp it sees what a particle of a quarter cell's half width sees [h].
-constexpr double tracer_half_size = 0.25;
-/// Where a tracer is seen; its own coordinates run on across periodic walls, so that displacements do not jump.
-template <int Dim>
-std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<double, Dim> x) {
-  for (int a = 0; a < Dim; ++a) x[a] = layout.wrapped(a, x[a]);
-  return x;
 }
 
 template <int Dim>

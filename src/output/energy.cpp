@@ -5,6 +5,7 @@
 
 #include "fixed_order_sum.hpp"
 #include "materials/neo_hookean.hpp"
+#include "spread.hpp"
 
 namespace geodrop {
 namespace {
@@ -81,15 +82,6 @@ Totals<Dim> membrane_totals(const Membrane<Dim>& membrane, const Point& gravity)
   return sums;
 }
 
-struct ErrorSums {
-  double square = 0, max = 0;
-  ErrorSums& operator+=(const ErrorSums& other) {
-    square += other.square;
-    max = std::max(max, other.max);
-    return *this;
-  }
-};
-
 }  // namespace
 
 template <int Dim>
@@ -129,13 +121,12 @@ double kinetic_energy(const State<Dim>& state) {
 
 template <int Dim>
 PressureError pressure_error(const Body<Dim>& body, const Newtonian& fluid, double surface, double gravity) {
-  const auto sums = fixed_order_sum<ErrorSums>(body.size(), [&](ErrorSums& part, std::size_t p) {
+  const auto sums = fixed_order_sum<Spread>(body.size(), [&](Spread& part, std::size_t p) {
     const double depth = surface - body.x[vertical_axis<Dim>][p];
     const double error = mean_pressure(body, p) - still_pressure(fluid, gravity, depth);
-    part.square += error * error;
-    part.max = std::max(part.max, std::abs(error));
+    part.add(error * error);
   });
-  return {std::sqrt(sums.square / static_cast<double>(body.size())), sums.max};
+  return {sums.rms(body.size()), sums.max()};
 }
 
 template struct Totals<2>;

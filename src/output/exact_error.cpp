@@ -10,32 +10,10 @@
 
 #include "../kernels/bases.hpp"
 #include "fixed_order_sum.hpp"
+#include "spread.hpp"
 
 namespace geodrop {
 namespace {
-
-template <int Dim>
-Vec<Dim> at(const std::array<Array<double>, Dim>& values, std::size_t i) {
-  Vec<Dim> v;
-  for (int a = 0; a < Dim; ++a) v[a] = values[a][i];
-  return v;
-}
-
-/// Squares over the particles, and the largest.
-struct Spread {
-  double square = 0, largest = 0;
-  void add(double square_of_one) {
-    square += square_of_one;
-    largest = std::max(largest, square_of_one);
-  }
-  Spread& operator+=(const Spread& other) {
-    square += other.square;
-    largest = std::max(largest, other.largest);
-    return *this;
-  }
-  double rms(std::size_t n) const { return std::sqrt(square / static_cast<double>(n)); }
-  double max() const { return std::sqrt(largest); }
-};
 
 struct ErrorSums {
   Spread velocity, displacement, strain, pressure, exact_pressure;
@@ -70,7 +48,7 @@ Vec<Dim> without_periods(const GridLayout<Dim>& layout, Vec<Dim> d) {
 template <int Dim>
 void add_particle(const ExactSolution<Dim>& solution, const GridLayout<Dim>& layout, double t, const Body<Dim>& body,
                   std::size_t p, ErrorSums& sums) {
-  const Vec<Dim> x = at<Dim>(body.x, p), v = at<Dim>(body.v, p), X = at<Dim>(body.initial_x, body.id[p]);
+  const Vec<Dim> x = vector_at(body.x, p), v = vector_at(body.v, p), X = vector_at(body.initial_x, body.id[p]);
   const ExactPoint<Dim> exact = exact_point<Dim>(solution, X, x, t);
   sums.velocity.add((v - exact.velocity).squaredNorm());
   sums.displacement.add(without_periods<Dim>(layout, x - X - exact.displacement).squaredNorm());

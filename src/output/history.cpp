@@ -147,10 +147,6 @@ void list_exact_error(Row& row, const std::string& name, const ExactSpec& spec, 
   row.add(name + ".phase_error_rad", error.phase);
 }
 
-const ExactSpec& find_exact(const Scene& scene, const std::string& body) {
-  return *std::find_if(scene.exact.begin(), scene.exact.end(), [&](const ExactSpec& s) { return s.body == body; });
-}
-
 template <class Named>
 const Named& find_named(const std::vector<Named>& list, const std::string& name) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const Named& item) { return item.name == name; });
@@ -160,7 +156,7 @@ const Named& find_named(const std::vector<Named>& list, const std::string& name)
 
 template <int Dim>
 PressureError measure(const HydrostaticProbeSpec& probe, const Scene& scene, const State<Dim>& state) {
-  const Material fluid = make_material(find_named(scene.materials, probe.still.fluid));
+  const Material fluid = make_material(*find_material(scene, probe.still.fluid));
   return pressure_error(find_named(state.bodies, probe.body), std::get<Newtonian>(fluid), probe.still.surface,
                         -scene.gravity[vertical_axis<Dim>]);
 }
@@ -190,7 +186,7 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
         list_geotube(row, probe->name, state ? measure_geotube(scene, *state, probe->membrane) : GeotubeMeasures{},
                      state ? measure(find_named(state->membranes, probe->membrane)) : MembraneMeasures<2>{});
     if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
-      list_exact_error(row, probe->name, find_exact(scene, probe->body),
+      list_exact_error(row, probe->name, *find_exact(scene, probe->body),
                        state ? exact_error(scene, *state, find_named(state->bodies, probe->body)) : ExactError{});
   }
   return row;

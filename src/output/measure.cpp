@@ -27,13 +27,6 @@ double pressure(const Solid&, const Body<Dim>& body, std::size_t p) {
 }
 
 template <int Dim>
-Vec<Dim> at(const std::array<Array<double>, Dim>& values, std::size_t i) {
-  Vec<Dim> v;
-  for (int a = 0; a < Dim; ++a) v[a] = values[a][i];
-  return v;
-}
-
-template <int Dim>
 struct BodySums {
   double mass = 0, square = 0;
   Vec<Dim> moment = Vec<Dim>::Zero(), momentum = Vec<Dim>::Zero(), initial_moment = Vec<Dim>::Zero();
@@ -54,13 +47,13 @@ struct BodySums {
 template <int Dim>
 BodySums<Dim> sum_body(const Body<Dim>& body) {
   return fixed_order_sum<BodySums<Dim>>(body.size(), [&](BodySums<Dim>& sums, std::size_t p) {
-    const Vec<Dim> x = at<Dim>(body.x, p), v = at<Dim>(body.v, p);
+    const Vec<Dim> x = vector_at(body.x, p), v = vector_at(body.v, p);
     const double m = body.mass[p];
     sums.mass += m;
     sums.square += m * v.squaredNorm();
     sums.moment += m * x;
     sums.momentum += m * v;
-    sums.initial_moment += m * at<Dim>(body.initial_x, body.id[p]);
+    sums.initial_moment += m * vector_at(body.initial_x, body.id[p]);
     sums.lower = sums.lower.cwiseMin(x);
     sums.upper = sums.upper.cwiseMax(x);
   });
@@ -100,8 +93,8 @@ template <int Dim>
 CentredSums<Dim> sum_about(const Body<Dim>& body, const Vec<Dim>& centre, const Vec<Dim>& initial_centre,
                            double radius) {
   return fixed_order_sum<CentredSums<Dim>>(body.size(), [&](CentredSums<Dim>& sums, std::size_t p) {
-    const Vec<Dim> x = at<Dim>(body.x, p) - centre;
-    const Vec<Dim> x0 = at<Dim>(body.initial_x, body.id[p]) - initial_centre;
+    const Vec<Dim> x = vector_at(body.x, p) - centre;
+    const Vec<Dim> x0 = vector_at(body.initial_x, body.id[p]) - initial_centre;
     sums.now_by_initial += body.mass[p] * x * x0.transpose();
     if (x.squaredNorm() > radius * radius) return;
     const double volume = body.volume(p);
@@ -110,6 +103,11 @@ CentredSums<Dim> sum_about(const Body<Dim>& body, const Vec<Dim>& centre, const 
     sums.pressure += volume * mean_pressure(body, p);
     for (int a = 0; a < Dim; ++a) sums.stress[a] += volume * stress[a];
   });
+}
+
+template <class T>
+double bytes(const Array<T>& values) {
+  return static_cast<double>(values.size() * sizeof(T));
 }
 
 template <int Dim>
@@ -137,6 +135,22 @@ std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, s
   if (const auto* fluid = std::get_if<Newtonian>(&body.material)) isotropic = pressure(*fluid, body, p);
   for (int k = 0; k < 3; ++k) stress[k] -= isotropic;
   return stress;
+}
+
+template <int Dim>
+double particle_bytes(const Body<Dim>& body) {
+  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) +
+               bytes(body.id) + bytes(body.layer);
+  const auto add = [&](const auto& components) {
+    for (const auto& values : components) sum += bytes(values);
+  };
+  add(body.x);
+  add(body.v);
+  add(body.affine);
+  add(body.stress);
+  add(body.deformation);
+  add(body.initial_x);
+  return sum;
 }
 
 double percentile(std::vector<double> values, double percent) {
@@ -170,14 +184,14 @@ MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
   MembraneMeasures<Dim> measures;
   measures.tension_max = -1;  // a slack membrane still has a place of its largest tension
   double rest_length = 0, weighted = 0, squares = 0;
-  measures.lower = at<Dim>(membrane.x, 0);
+  measures.lower = vector_at(membrane.x, 0);
   measures.upper = measures.lower;
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    measures.lower = measures.lower.cwiseMin(at<Dim>(membrane.x, k));
-    measures.upper = measures.upper.cwiseMax(at<Dim>(membrane.x, k));
+    measures.lower = measures.lower.cwiseMin(vector_at(membrane.x, k));
+    measures.upper = measures.upper.cwiseMax(vector_at(membrane.x, k));
   }
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
-    const Vec<Dim> a = at<Dim>(membrane.x, s), b = at<Dim>(membrane.x, (s + 1) % membrane.nodes());
+    const Vec<Dim> a = vector_at(membrane.x, s), b = vector_at(membrane.x, (s + 1) % membrane.nodes());
     measures.length += (b - a).norm();
     rest_length += membrane.rest_length[s];
     weighted += membrane.rest_length[s] * membrane.tension[s];
@@ -227,6 +241,8 @@ template double mean_pressure(const Body<2>&, std::size_t);
 template double mean_pressure(const Body<3>&, std::size_t);
 template std::array<double, 4> total_stress(const Body<2>&, std::size_t);
 template std::array<double, 6> total_stress(const Body<3>&, std::size_t);
+template double particle_bytes(const Body<2>&);
+template double particle_bytes(const Body<3>&);
 template BodyMeasures<2> measure(const Body<2>&, double);
 template BodyMeasures<3> measure(const Body<3>&, double);
 template MembraneMeasures<2> measure(const Membrane<2>&);

@@ -45,13 +45,6 @@ class Schedule {
   double next_ = 0;  ///< a whole number
 };
 
-template <int Dim>
-std::size_t count_particles(const State<Dim>& state) {
-  std::size_t count = 0;
-  for (const Body<Dim>& body : state.bodies) count += body.size();
-  return count;
-}
-
 std::string host_name() {
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
@@ -128,7 +121,7 @@ struct Output<Dim>::Parts {
                resumed ? resumed->output.frame_times : std::vector<double>{}) {}
 
   void begin(const State<Dim>& state) {
-    particles = count_particles(state);
+    particles = state.particles();
     progress = Progress(end_of_run(scene, options), particles);
     progress.begin(state.t, state.step);
     for (const double t : frames.times()) frames_due.pass(t);

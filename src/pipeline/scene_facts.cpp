@@ -10,24 +10,6 @@
 namespace geodrop {
 namespace {
 
-template <class T>
-double bytes(const Array<T>& values) {
-  return static_cast<double>(values.size() * sizeof(T));
-}
-
-template <int Dim>
-double particle_bytes(const Body<Dim>& body) {
-  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) +
-               bytes(body.id) + bytes(body.layer);
-  for (const auto& values : body.x) sum += bytes(values);
-  for (const auto& values : body.v) sum += bytes(values);
-  for (const auto& values : body.affine) sum += bytes(values);
-  for (const auto& values : body.stress) sum += bytes(values);
-  for (const auto& values : body.deformation) sum += bytes(values);
-  for (const auto& values : body.initial_x) sum += bytes(values);
-  return sum;
-}
-
 /// Density at the lowest particle of a still fluid over its density at zero pressure, less one.
 template <int Dim>
 double density_rise(const Body<Dim>& body) {
@@ -50,9 +32,8 @@ std::string stages_in(const Scene& scene) {
 template <int Dim>
 std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state) {
   std::vector<Fact> facts;
-  double particles = 0, memory = 0;
+  double memory = 0;
   for (const Body<Dim>& body : state.bodies) {
-    particles += static_cast<double>(body.size());
     memory += particle_bytes(body);
     facts.push_back({body.name + ".particles_count", static_cast<double>(body.size())});
     facts.push_back({body.name + ".wave_speed_m_s", wave_speed(body.material)});
@@ -62,11 +43,12 @@ std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state) {
     if (soil && soil->pore_stiffness > 0) facts.push_back({body.name + ".skempton_b_ratio", skempton_b(*soil)});
   }
   const GridLayout<Dim> layout(scene.grid, scene.walls);
+  const double particles = static_cast<double>(state.particles()), dt = stable_dt(scene, state, layout);
   facts.push_back({"particles_count", particles});
   facts.push_back({"bytes_per_particle_count", memory / particles});
   facts.push_back({"grid_nodes_count", static_cast<double>(layout.nodes())});
-  facts.push_back({"time_step_s", stable_dt(scene, state, layout)});
-  facts.push_back({"steps_count", scene.time.end / stable_dt(scene, state, layout)});
+  facts.push_back({"time_step_s", dt});
+  facts.push_back({"steps_count", scene.time.end / dt});
   return facts;
 }
 

@@ -35,8 +35,6 @@ void check_minus(const Scene& scene, const BodySpec& body, const std::string& ke
   }
 }
 
-bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
-
 void check_shift(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
   if (body.shift && material && report.healthy("materials." + material->name + ".model") &&

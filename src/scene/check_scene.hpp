@@ -32,11 +32,6 @@ void check_measurements(const Scene& scene, Report& report);
 /// Owners of columns about the whole scene; no body, membrane or probe has such a name.
 inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};
 
-const MaterialSpec* find_material(const Scene& scene, const std::string& name);
-const BodySpec* find_body(const Scene& scene, const std::string& name);
-/// The exact solution that a body follows; null if it follows none.
-const ExactSpec* find_exact(const Scene& scene, const std::string& body);
-
 /// The different names of a list of bodies, materials, membranes or results, without empty ones.
 template <class List>
 std::vector<std::string> names_of(const List& list) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 namespace geodrop {
 namespace {
@@ -41,17 +42,17 @@ constexpr Range identifier{"letters, digits and '_', beginning with a letter", n
 constexpr Range reference{"the name of one in the scene", nullptr};
 constexpr Range yes_no{"true or false", nullptr};
 constexpr Range words(std::string_view choices) { return {choices}; }
+constexpr Range wall_kinds = words("slip|no_slip|periodic");
+constexpr Range axes_2d = words("x|y"), axes_3d = words("x|y|z");
 
 constexpr Section sections[] = {
     {"", "Top level", "", "What the scene is about, and its tables."},
     {"grid", "[grid]", "", "The domain and its cells. Walls stand on the domain's edges, which are grid lines."},
     {"grid.refine", "[[grid.refine]]", "axis",
      "Finer cells along an axis, at most one zone each, with basis = \"bspline2\" only. Outside of the zone cells grow "
-     "by "
-     "`growth` from one to the next until they are `spacing` of the grid wide; all are scaled down a little, so that a "
-     "whole number of them fits. Where they stand then is no concern of bodies: cells that an outline cuts get "
-     "particles of "
-     "their share. The time step is that of the finest cell, and membranes have nodes that suit it."},
+     "by `growth` from one to the next until they are `spacing` of the grid wide; all are scaled down a little, so "
+     "that a whole number of them fits. Where they stand then is no concern of bodies: cells that an outline cuts get "
+     "particles of their share. The time step is that of the finest cell, and membranes have nodes that suit it."},
     {"walls", "[walls]", "",
      "How the four sides of the domain (3D: six) hold what touches them. The last axis is the vertical one, so bottom "
      "and top are the ends of y in 2D and of z in 3D. Walls never let go: no_slip holds material in all directions, "
@@ -111,19 +112,19 @@ constexpr Key keys[] = {
     {"grid", "basis", choice, "", "", standard("\"bspline2\""), words("bspline2|gimp|linear|tri3|tet4"), "shape functions: quadratic B-splines; hat functions averaged over the particles' domains (uGIMP); hat functions; cells split into linear triangles (2D) or tetrahedra (3D)"},
     {"grid", "refine", table_list, "", "", standard("[]"), maybe_none, "zones of finer cells"},
 
-    {"grid.refine", "axis", choice, "", "", required, words("x|y"), "along which cells are finer", 2},
-    {"grid.refine", "axis", choice, "", "", required, words("x|y|z"), "along which cells are finer", 3},
+    {"grid.refine", "axis", choice, "", "", required, axes_2d, "along which cells are finer", 2},
+    {"grid.refine", "axis", choice, "", "", required, axes_3d, "along which cells are finer", 3},
     {"grid.refine", "from", real, "m", "", required, any, "where the zone begins"},
     {"grid.refine", "to", real, "m", "", required, any, "where it ends"},
     {"grid.refine", "spacing", real, "m", "", required, positive, "width of the cells in the zone, below that of the grid"},
     {"grid.refine", "growth", real, "", "", standard("1.1"), growth_range, "width of a cell over that of the next finer one, outside of the zone"},
 
-    {"walls", "left", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower x; never lets go"},
-    {"walls", "right", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper x; never lets go"},
-    {"walls", "front", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y; never lets go", 3},
-    {"walls", "back", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y; never lets go", 3},
-    {"walls", "bottom", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the lower y (3D: z); never lets go"},
-    {"walls", "top", choice, "", "", required, words("slip|no_slip|periodic"), "wall at the upper y (3D: z); never lets go"},
+    {"walls", "left", choice, "", "", required, wall_kinds, "wall at the lower x; never lets go"},
+    {"walls", "right", choice, "", "", required, wall_kinds, "wall at the upper x; never lets go"},
+    {"walls", "front", choice, "", "", required, wall_kinds, "wall at the lower y; never lets go", 3},
+    {"walls", "back", choice, "", "", required, wall_kinds, "wall at the upper y; never lets go", 3},
+    {"walls", "bottom", choice, "", "", required, wall_kinds, "wall at the lower y (3D: z); never lets go"},
+    {"walls", "top", choice, "", "", required, wall_kinds, "wall at the upper y (3D: z); never lets go"},
 
     {"solver", "transfer", choice, "", "", required, words("tpic|blend|musl"), "tpic: particle velocity and its gradient from the grid; blend: tpic that keeps part of the particle's own velocity; musl: like blend without the gradient, strains from the particles' new velocity (the only one on tri3, tet4)"},
     {"solver", "blend_rate", real, "1/s", "transfer=blend|musl", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)"},
@@ -184,8 +185,8 @@ constexpr Key keys[] = {
     {"bodies.initial_velocity", "type", choice, "", "", required, words("rest|uniform|bar_first_mode|exact"), "which field; exact: of the solution that the body follows"},
     {"bodies.initial_velocity", "value", point, "m/s", "type=uniform", required, any, "velocity of all particles"},
     {"bodies.initial_velocity", "amplitude", real, "m/s", "type=bar_first_mode", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))"},
-    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, words("x|y"), "along the bar", 2},
-    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, words("x|y|z"), "along the bar", 3},
+    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, axes_2d, "along the bar", 2},
+    {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, axes_3d, "along the bar", 3},
     {"bodies.initial_velocity", "length", real, "m", "type=bar_first_mode", required, positive, "of the bar, which is fixed at coordinate 0"},
 
     {"bodies.initial_stress", "type", choice, "", "", required, words("zero|hydrostatic|k0|fluid_pressure|exact"), "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around; exact: of the solution that the body follows"},
@@ -225,8 +226,8 @@ constexpr Key keys[] = {
     {"exact", "amplitude", real, "m/s", "type=bar_first_mode", required, not_zero, "velocity of the free end"},
     {"exact", "speed", real, "m/s", "type=taylor_green", required, positive, "U of u = U sin(2 pi x / length) cos(2 pi y / length)"},
     {"exact", "length", real, "m", "type=axis_aligned_mms|taylor_green|bar_first_mode", required, positive, "of a wave; of the bar"},
-    {"exact", "axis", choice, "", "type=bar_first_mode", required, words("x|y"), "along the bar", 2},
-    {"exact", "axis", choice, "", "type=bar_first_mode", required, words("x|y|z"), "along the bar", 3},
+    {"exact", "axis", choice, "", "type=bar_first_mode", required, axes_2d, "along the bar", 2},
+    {"exact", "axis", choice, "", "type=bar_first_mode", required, axes_3d, "along the bar", 3},
     {"exact", "velocity", point, "m/s", "type=uniform_motion", required, any, "of the drift"},
     {"exact", "stretch", point, "", "type=uniform_motion", required, positive, "present over unstrained length along each axis; the body's shape, a box, is the stretched one, and the lattice of its particles is stretched with it"},
 
@@ -282,6 +283,12 @@ std::string join_path(std::string_view parent, std::string_view child) {
   std::string path(parent);
   if (!path.empty()) path += '.';
   return path.append(child);
+}
+
+std::string word_of(std::string_view section, std::string_view name, std::size_t enumerator) {
+  for (const Key* key : keys_of(section))
+    if (key->name == name) return split(key->allowed.text, '|').at(enumerator);
+  throw std::logic_error("no such choice");
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

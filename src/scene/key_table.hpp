@@ -71,6 +71,9 @@ inline bool applies_in(const Key& key, int dimension) { return key.dimension == 
 /// "" + "grid" = "grid", "bodies" + "shape" = "bodies.shape".
 std::string join_path(std::string_view parent, std::string_view child);
 
+/// The word of a choice for one of its enumerators, which stand in the order of the words.
+std::string word_of(std::string_view section, std::string_view name, std::size_t enumerator);
+
 /// The parts of "a|b|c".
 std::vector<std::string> split(std::string_view text, char separator);
 

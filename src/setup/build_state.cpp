@@ -15,15 +15,6 @@
 namespace geodrop {
 namespace {
 
-const MaterialSpec& material_named(const Scene& scene, const std::string& name) {
-  return *std::find_if(scene.materials.begin(), scene.materials.end(),
-                       [&](const MaterialSpec& m) { return m.name == name; });
-}
-
-const BodySpec& body_named(const Scene& scene, const std::string& name) {
-  return *std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& b) { return b.name == name; });
-}
-
 /// Arrays that the material needs; a body without a quantity keeps its array empty.
 template <int Dim>
 void allocate(Body<Dim>& body) {
@@ -45,8 +36,7 @@ void allocate(Body<Dim>& body) {
 template <int Dim>
 void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
   for (std::size_t p = 0; p < body.size(); ++p) {
-    Vec<Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
+    const Vec<Dim> x = vector_at(body.x, p);
     const ExactPoint<Dim> exact = exact_point<Dim>(solution, x, x, 0);
     for (int a = 0; a < Dim; ++a) body.v[a][p] = exact.velocity[a];
     for (int c = 0; c < Dim * Dim; ++c) body.affine[c][p] = exact.velocity_gradient(c / Dim, c % Dim);
@@ -100,7 +90,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   Body<Dim> body;
   body.name = spec.name;
   body.material_name = spec.material;
-  body.material = make_material(material_named(scene, spec.material));
+  body.material = make_material(*find_material(scene, spec.material));
   body.pressure = spec.pressure;
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
@@ -149,7 +139,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.averaging_segments = spec.averaging_segments;
   membrane.half_size = 0.5 / spec.segments_per_cell;
   const double spacing = finest_spacing(scene.grid) / spec.segments_per_cell;
-  const Shape drawn = spec.points.empty() ? body_named(scene, spec.body).shape : Shape{PolygonShape{spec.points}};
+  const Shape drawn = spec.points.empty() ? find_body(scene, spec.body)->shape : Shape{PolygonShape{spec.points}};
   const std::vector<Point> nodes =
       spec.points.empty() || spec.closed ? outline(drawn, spacing) : divide_polyline(spec.points, spacing);
   const std::size_t n = nodes.size();

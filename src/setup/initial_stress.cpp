@@ -10,8 +10,7 @@ namespace geodrop {
 namespace {
 
 const NewtonianSpec& fluid_of(const Scene& scene, const std::string& name) {
-  for (const MaterialSpec& material : scene.materials)
-    if (material.name == name) return std::get<NewtonianSpec>(material.model);
+  if (const MaterialSpec* fluid = find_material(scene, name)) return std::get<NewtonianSpec>(fluid->model);
   throw std::logic_error("check_scene let an unknown fluid pass: " + name);
 }
 
@@ -64,14 +63,6 @@ void set_solid(double density, const StressAt& at, Body<Dim>& body, std::size_t 
   if (pores) body.pore_pressure[p] = at.fluid_pressure;
 }
 
-}  // namespace
-
-double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
-  const NewtonianSpec& fluid = fluid_of(scene, still.fluid);
-  return still_pressure({fluid.density, fluid.bulk_modulus, fluid.viscosity}, -scene.gravity[scene.dimension - 1],
-                        still.surface - y);
-}
-
 /// sigma of uniform stretches along the axes, from zero strain: logarithmic for the hypoelastic law.
 template <int Dim>
 void stretch_solid(const UniformMotion<Dim>& motion, Body<Dim>& body, std::size_t p) {
@@ -94,15 +85,21 @@ void stretch_solid(const UniformMotion<Dim>& motion, Body<Dim>& body, std::size_
 template <int Dim>
 void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
   for (std::size_t p = 0; p < body.size(); ++p) {
-    Vec<Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
     if (const auto* flow = std::get_if<TaylorGreen>(&solution))
-      set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*flow, x, 0)}, body, p);
+      set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*flow, vector_at(body.x, p), 0)}, body, p);
     else if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
       stretch_solid(*motion, body, p);
     else
       set_solid(reference_density(body.material), {}, body, p);  // those that swing begin unstrained
   }
+}
+
+}  // namespace
+
+double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
+  const NewtonianSpec& fluid = fluid_of(scene, still.fluid);
+  return still_pressure({fluid.density, fluid.bulk_modulus, fluid.viscosity}, -scene.gravity[scene.dimension - 1],
+                        still.surface - y);
 }
 
 template <int Dim>

@@ -201,8 +201,7 @@ SiteShare<3> integrate_in_space(const CutSite& cut) {
 
 BodyRegion::BodyRegion(const Scene& scene, const BodySpec& spec) : shape_(&spec.shape) {
   for (const std::string& name : spec.minus)
-    for (const BodySpec& other : scene.bodies)
-      if (other.name == name) removed_.push_back(&other.shape);
+    if (const BodySpec* other = find_body(scene, name)) removed_.push_back(&other->shape);
 }
 
 bool BodyRegion::holds(const Point& x) const {
@@ -223,8 +222,6 @@ Cover BodyRegion::cover(const Bounds& box) const {
 template <int Dim>
 SiteShare<Dim> BodyRegion::share(const Bounds& site) const {
   constexpr double rounding = 1e-9;  // an outline on a site's edge leaves the site whole
-  SiteShare<Dim> whole{1, {}};
-  for (int a = 0; a < Dim; ++a) whole.centroid[a] = (site.lower[a] + site.upper[a]) / 2;
   const Cover inside = cover_by(*shape_, site);
   if (inside == Cover::none) return {};
   std::vector<const Shape*> holes;
@@ -233,13 +230,13 @@ SiteShare<Dim> BodyRegion::share(const Bounds& site) const {
     if (hole == Cover::all) return {};
     if (hole == Cover::part) holes.push_back(removed);
   }
-  if (inside == Cover::all && holes.empty()) return whole;
+  if (inside == Cover::all && holes.empty()) return whole_site<Dim>(site);
   const CutSite region{site, inside == Cover::all ? nullptr : shape_, holes};
   SiteShare<Dim> cut;
   if constexpr (Dim == 2) cut = integrate(region);
   if constexpr (Dim == 3) cut = integrate_in_space(region);
   if (cut.share < rounding) return {};
-  return cut.share > 1 - rounding ? whole : cut;
+  return cut.share > 1 - rounding ? whole_site<Dim>(site) : cut;
 }
 
 template SiteShare<2> BodyRegion::share<2>(const Bounds&) const;

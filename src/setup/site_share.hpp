@@ -15,6 +15,13 @@ struct SiteShare {
   std::array<double, Dim> centroid{};  ///< [m]
 };
 
+template <int Dim>
+SiteShare<Dim> whole_site(const Bounds& site) {
+  SiteShare<Dim> whole{1, {}};
+  for (int a = 0; a < Dim; ++a) whole.centroid[a] = (site.lower[a] + site.upper[a]) / 2;
+  return whole;
+}
+
 /// How much of a site, or of a block of sites, belongs to a body; `part` may also be said of one that is just touched.
 enum class Cover { none, part, all };
 

@@ -71,6 +71,47 @@ double adjoint_error(int cells, WallKind wall, unsigned seed) {
   return adjoint_error<Dim>(Box<Dim>(cells, wall), seed);
 }
 
+/// Largest force of a pressure of 1e5 Pa in all cells on a node, along the axes along which the node can move [N].
+template <int Dim>
+double push_of_uniform_pressure(Box<Dim> box) {
+  for_each_node(box.grid.layout, 0, [&](int flat, const auto&) { box.grid.cell_pressure[flat] = 1e5; });
+  const auto force = box.forces();
+  double largest = 0;
+  for_each_node(box.grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    for (int a = 0; a < Dim; ++a)
+      if (!box.on_wall(i, a)) largest = std::max(largest, std::abs(force[flat][a]));
+  });
+  return largest;
+}
+
+/// Largest error of the volume rate of a velocity linear in space, in full cells away from the upper walls, which do
+/// not move with the field [1/s].
+template <int Dim>
+double divergence_error(Box<Dim> box) {
+  Grid<Dim>& grid = box.grid;
+  const GridLayout<Dim>& layout = grid.layout;
+  const double rate[3] = {2.0, -0.5, 0.75};
+  double trace = 0;
+  for (int a = 0; a < Dim; ++a) trace += rate[a];
+  for_each_node(layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    grid.cell_flags[flat] = cell_filled;
+    double volume = 1;
+    for (int a = 0; a < Dim; ++a) {
+      grid.velocity[flat][a] = rate[a] * layout.node(a, i[a]);  // zero on the lower walls only
+      volume *= layout.h * layout.span_width(a, i[a]) * (box.on_wall(i, a) ? 0.5 : 1.0);
+    }
+    grid.cell_volume[flat] = volume;
+  });
+  cell_volume_rate(box.state, grid);
+  double largest = 0;
+  for_each_node(layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    bool below_upper = true;
+    for (int a = 0; a < Dim; ++a) below_upper = below_upper && i[a] < layout.cells[a] - 1;
+    if (below_upper) largest = std::max(largest, std::abs(grid.volume_rate[flat] - trace));
+  });
+  return largest;
+}
+
 }  // namespace
 
 TEST_CASE("The power of the cell pressure is the volume rate that the pressure sees") {
@@ -89,15 +130,8 @@ TEST_CASE("The power of the cell pressure is the volume rate that the pressure s
 TEST_CASE_TEMPLATE("A uniform pressure between slip walls pushes no node that can move", Size,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
   constexpr int Dim = Size::value;
-  Box<Dim> box(9, WallKind::slip);
-  for_each_node(box.grid.layout, 0, [&](int flat, const auto&) { box.grid.cell_pressure[flat] = 1e5; });
-  const auto force = box.forces();
-  double largest = 0;
-  for_each_node(box.grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    for (int a = 0; a < Dim; ++a)
-      if (!box.on_wall(i, a)) largest = std::max(largest, std::abs(force[flat][a]));
-  });
-  CHECK(largest < 1e-15 * 1e5);
+  CHECK(push_of_uniform_pressure(Box<Dim>(9, WallKind::slip)) < 1e-15 * 1e5);
+  CHECK(push_of_uniform_pressure(Box<Dim>(graded_scene<Dim>(9, 0.25, WallKind::slip))) < 1e-15 * 1e5);
 }
 
 TEST_CASE("A pressure that grows linearly pushes each interior node by -grad p times its volume") {
@@ -117,27 +151,8 @@ TEST_CASE("A pressure that grows linearly pushes each interior node by -grad p t
 TEST_CASE_TEMPLATE("A velocity linear in space has its divergence in every full cell, also at the walls it respects",
                    Size, std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
   constexpr int Dim = Size::value;
-  Box<Dim> box(9, WallKind::slip);
-  Grid<Dim>& grid = box.grid;
-  const double rate[3] = {2.0, -0.5, 0.75};
-  double trace = 0;
-  for (int a = 0; a < Dim; ++a) trace += rate[a];
-  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    grid.cell_flags[flat] = cell_filled;
-    double volume = std::pow(grid.layout.h, Dim);
-    for (int a = 0; a < Dim; ++a) {
-      grid.velocity[flat][a] = rate[a] * i[a] * grid.layout.h;  // zero on the lower walls only
-      if (box.on_wall(i, a)) volume *= 0.5;
-    }
-    grid.cell_volume[flat] = volume;
-  });
-  cell_volume_rate(box.state, grid);
-  double largest = 0;
-  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    const bool below_upper = *std::max_element(i.begin(), i.end()) < 8;  // the upper walls do not move with the field
-    if (below_upper) largest = std::max(largest, std::abs(grid.volume_rate[flat] - trace));
-  });
-  CHECK(largest < 1e-13);
+  CHECK(divergence_error(Box<Dim>(9, WallKind::slip)) < 1e-13);
+  CHECK(divergence_error(Box<Dim>(graded_scene<Dim>(9, 0.25, WallKind::slip))) < 1e-13);
 }
 
 TEST_CASE("A cell that is not filled has no volume rate") {
@@ -158,45 +173,4 @@ TEST_CASE_TEMPLATE("On graded axes force and volume rate are an adjoint pair, to
       CAPTURE(cells);
       CHECK(adjoint_error<Size::value>(Box<Size::value>(graded_scene<Size::value>(cells, 0.25, wall)), 5) < 1e-13);
     }
-}
-
-TEST_CASE_TEMPLATE("On graded axes a uniform pressure pushes no node that can move", Size,
-                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
-  constexpr int Dim = Size::value;
-  Box<Dim> box(graded_scene<Dim>(9, 0.25, WallKind::slip));
-  for_each_node(box.grid.layout, 0, [&](int flat, const auto&) { box.grid.cell_pressure[flat] = 1e5; });
-  const auto force = box.forces();
-  double largest = 0;
-  for_each_node(box.grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    for (int a = 0; a < Dim; ++a)
-      if (!box.on_wall(i, a)) largest = std::max(largest, std::abs(force[flat][a]));
-  });
-  CHECK(largest < 1e-15 * 1e5);
-}
-
-TEST_CASE_TEMPLATE("On graded axes a velocity linear in space has its divergence in every full cell", Size,
-                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
-  constexpr int Dim = Size::value;
-  Box<Dim> box(graded_scene<Dim>(9, 0.25, WallKind::slip));
-  Grid<Dim>& grid = box.grid;
-  const double rate[3] = {2.0, -0.5, 0.75};
-  double trace = 0;
-  for (int a = 0; a < Dim; ++a) trace += rate[a];
-  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    grid.cell_flags[flat] = cell_filled;
-    double volume = 1;
-    for (int a = 0; a < Dim; ++a) {
-      grid.velocity[flat][a] = rate[a] * grid.layout.node(a, i[a]);  // zero on the lower walls only
-      volume *= grid.layout.h * grid.layout.span_width(a, i[a]) * (box.on_wall(i, a) ? 0.5 : 1.0);
-    }
-    grid.cell_volume[flat] = volume;
-  });
-  cell_volume_rate(box.state, grid);
-  double largest = 0;
-  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    bool below_upper = true;  // the upper walls do not move with the field
-    for (int a = 0; a < Dim; ++a) below_upper = below_upper && i[a] < grid.layout.cells[a] - 1;
-    if (below_upper) largest = std::max(largest, std::abs(grid.volume_rate[flat] - trace));
-  });
-  CHECK(largest < 1e-13);
 }

@@ -29,6 +29,17 @@ const Left& uninterrupted() {
   return left;
 }
 
+/// Stopped by --until and resumed on other threads: the hash and the history of an uninterrupted run on one.
+void check_resumed(const std::string& file, const std::vector<std::string>& changes, const std::string& until) {
+  const Left whole(SceneRun(file, changes, {"--threads", "1"}));
+  SceneRun run(file, changes, {"--threads", "2", "--until", until});
+  CHECK(run.outcome().code == 0);
+  CHECK(run.hash() != whole.hash);
+  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
+  CHECK(run.hash() == whole.hash);
+  CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
+}
+
 }  // namespace
 
 TEST_CASE("Stopped by --until and resumed, also on other threads: the same hash and history") {
@@ -51,28 +62,14 @@ TEST_CASE("Stopped twice and resumed: the same hash and history") {
 }
 
 TEST_CASE("In space: stopped by --until and resumed on other threads, the same hash and history") {
-  const std::string run_up = "tests/scenes/run_up_3d.toml";
-  const std::vector<std::string> jittered{"bodies.water.jitter=0.3", "bodies.water.shift=true"};
-  const Left whole(SceneRun(run_up, jittered, {"--threads", "1"}));
-  SceneRun run(run_up, jittered, {"--threads", "2", "--until", "0.031"});
-  CHECK(run.outcome().code == 0);
-  CHECK(run.hash() != whole.hash);
-  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
-  CHECK(run.hash() == whole.hash);
-  CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
+  check_resumed("tests/scenes/run_up_3d.toml", {"bodies.water.jitter=0.3", "bodies.water.shift=true"}, "0.031");
 }
 
 TEST_CASE("On graded axes: stopped by --until and resumed on other threads, the same hash and history") {
   std::vector<std::string> graded = settings;
   graded.push_back("grid.refine=[{axis='x',from=-1.5,to=1.5,spacing=0.25}]");
   graded.push_back("time.end=0.05");
-  const Left whole(SceneRun(scene, graded, {"--threads", "1"}));
-  SceneRun run(scene, graded, {"--threads", "2", "--until", "0.021"});
-  CHECK(run.outcome().code == 0);
-  CHECK(run.hash() != whole.hash);
-  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
-  CHECK(run.hash() == whole.hash);
-  CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
+  check_resumed(scene, graded, "0.021");
 }
 
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {

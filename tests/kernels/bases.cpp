@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "kernels/kernels.hpp"
-#include "kernels/simplex.hpp"
+#include "kernels/ranges.hpp"
 #include "kernels/transfer_stages.hpp"
 #include "support/random_particles.hpp"
 
@@ -128,32 +128,20 @@ template <int Dim, class Policy>
 void check_adjoint() {
   RandomBox<Dim, Policy> box(Transfer::blend);
   scatter<Dim>(box.body, box.grid, dt, 0, box.body.size());
-  double power = 0, size = 0, stored = 0;
-  for_each_node(box.grid.layout, 2, [&](int flat, const auto&) {
-    for (int a = 0; a < Dim; ++a) {
-      box.grid.velocity[flat][a] = box.random.uniform(-1, 1);
-      power += box.grid.force[flat][a] * box.grid.velocity[flat][a];
-      size += std::abs(box.grid.force[flat][a] * box.grid.velocity[flat][a]);
-    }
-  });
+  const Power power = power_of_random_velocity(box.grid, 2, box.random);
+  double stored = 0;
   for (std::size_t p = 0; p < box.body.size(); p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, box.body.size() - p));
     ChunkWeights<Dim, Policy> weights;
-    std::array<const double*, Dim> x;
-    for (int a = 0; a < Dim; ++a) x[a] = box.body.x[a].data() + p;
-    compute_weights<Dim, Policy>(box.grid.layout, x, box.body.half_size, count, weights);
+    compute_weights<Dim, Policy>(box.grid.layout, pointers(box.body.x, p), box.body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
-      GatherSums<Dim> sums;
-      if constexpr (std::is_same_v<Policy, Simplex>)
-        sums = gather_simplex<Dim, false>(box.grid, weights, k);
-      else
-        sums = gather_sums<Dim, Policy, false>(box.grid, weights, k);
+      const GatherSums<Dim> sums = sums_of<Dim, Policy, Transfer::tpic>(box.grid, weights, k);
       for (int a = 0; a < Dim; ++a)
         for (int b = 0; b < Dim; ++b)
           stored -= box.body.volume(p + k) * box.body.stress[stress_index<Dim>(a, b)][p + k] * sums.gradient[b][a];
     }
   }
-  CHECK(std::abs(power - stored) < 1e-13 * size);
+  CHECK(std::abs(power.sum - stored) < 1e-13 * power.size);
 }
 
 }  // namespace
@@ -226,22 +214,15 @@ void check_nodal_adjoint() {
   std::fill(body.slab_begin.begin() + 1, body.slab_begin.end(), static_cast<std::uint32_t>(body.size()));
   average_nodal_pressure(state, grid);
   particles_to_grid(state, grid, dt);
-  double power = 0, size = 0;
-  for_each_node(grid.layout, 0, [&](int flat, const auto&) {
-    for (int a = 0; a < Dim; ++a) {
-      grid.velocity[flat][a] = random.uniform(-1, 1);
-      power += grid.force[flat][a] * grid.velocity[flat][a];
-      size += std::abs(grid.force[flat][a] * grid.velocity[flat][a]);
-    }
-  });
+  const Power power = power_of_random_velocity(grid, 0, random);
   average_nodal_rate(state, grid);
   const Body<Dim> before = body;
   gather<Dim>(body, grid, {Transfer::musl, dt, 0, 1}, 0, body.size());
   double stored = 0;
   for (std::size_t p = 0; p < body.size(); ++p)
     stored += before.volume(p) * -before.stress[0][p] * (body.J[p] / before.J[p] - 1) / dt;
-  CHECK(std::abs(power - stored) < 1e-12 * size);
-  CHECK(std::abs(power) > 1e-6 * size);
+  CHECK(std::abs(power.sum - stored) < 1e-12 * power.size);
+  CHECK(std::abs(power.sum) > 1e-6 * power.size);
 }
 
 }  // namespace

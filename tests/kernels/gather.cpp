@@ -95,18 +95,9 @@ TEST_CASE_TEMPLATE("The gradient that strains the material is the adjoint of the
   Grid<Dim> grid = make_grid<Dim>(box_scene<Dim>(8, h, WallKind::slip, Transfer::blend));
   const Body<Dim> body = random_body<Dim>(60, h, 7 * h, random);
   scatter<Dim>(body, grid, dt, 0, body.size());
-  double power = 0, size = 0;
-  for_each_node(grid.layout, 2, [&](int flat, const auto&) {
-    for (int a = 0; a < Dim; ++a) {
-      grid.velocity[flat][a] = random.uniform(-1, 1);
-      power += grid.force[flat][a] * grid.velocity[flat][a];
-      size += std::abs(grid.force[flat][a] * grid.velocity[flat][a]);
-    }
-  });
+  const Power power = power_of_random_velocity(grid, 2, random);
   ChunkWeights<Dim, Bspline2> weights;
-  std::array<const double*, Dim> x;
-  for (int a = 0; a < Dim; ++a) x[a] = body.x[a].data();
-  compute_weights<Dim, Bspline2>(grid.layout, x, body.half_size, 60, weights);
+  compute_weights<Dim, Bspline2>(grid.layout, pointers(body.x), body.half_size, 60, weights);
   double stored = 0;
   for (int p = 0; p < 60; ++p) {
     const auto sums = gather_sums<Dim, Bspline2, false>(grid, weights, p);
@@ -114,7 +105,7 @@ TEST_CASE_TEMPLATE("The gradient that strains the material is the adjoint of the
       for (int b = 0; b < Dim; ++b)
         stored -= body.volume(p) * body.stress[stress_index<Dim>(a, b)][p] * sums.gradient[b][a];
   }
-  CHECK(std::abs(power - stored) < 1e-13 * size);
+  CHECK(std::abs(power.sum - stored) < 1e-13 * power.size);
 }
 
 TEST_CASE("With nothing of the grid taken over, a particle keeps its velocity but moves with the grid") {

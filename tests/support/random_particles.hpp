@@ -138,6 +138,25 @@ void for_each_node(const GridLayout<Dim>& layout, int ghosts, F&& f) {
   }
 }
 
+/// Power of the forces on nodes, and the sum of its parts without sign [W].
+struct Power {
+  double sum = 0, size = 0;
+};
+
+/// Gives the nodes that `for_each_node` visits random velocities.
+template <int Dim>
+Power power_of_random_velocity(Grid<Dim>& grid, int ghosts, Random& random) {
+  Power power;
+  for_each_node(grid.layout, ghosts, [&](int flat, const auto&) {
+    for (int a = 0; a < Dim; ++a) {
+      grid.velocity[flat][a] = random.uniform(-1, 1);
+      power.sum += grid.force[flat][a] * grid.velocity[flat][a];
+      power.size += std::abs(grid.force[flat][a] * grid.velocity[flat][a]);
+    }
+  });
+  return power;
+}
+
 /// Largest component of a node record, without sign.
 inline double largest_component(const Vec4& v) {
   return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::max(std::abs(v[2]), std::abs(v[3])));
