@@ -92,12 +92,21 @@ enum CellFlag : std::uint8_t {
   cell_shiftable = 2  ///< its neighbourhood is full of material and free of membranes
 };
 
-using CellMoments = std::array<double, 9>;  ///< entry 3 a + b: m_ab, see enclosed/polygon_moments
+/// Integrals of 1, z, z^2 over the part of a face inside; z from -1/2 to 1/2 along it [h].
+using FaceMoments = std::array<double, 3>;
 
-/// The cells of a fluid inside a closed membrane (2D), see enclosed/enclosed_fluid. Local cells i + j nx of a box.
+/// The cells of a fluid inside a closed membrane (2D), see enclosed/. Local cells i + j nx of a box.
 struct EnclosedCells {
-  std::array<int, 2> first{}, count{};  ///< lowest stored cell of the box, cells per axis
-  Array<CellMoments> moments;
+  /// A piece of an edge of the membrane, with the shares of the edge's ends in it: int (1 - t) dt, int t dt.
+  struct Piece {
+    int cell, edge;
+    double start_share, end_share;
+  };
+  std::array<int, 2> first{}, count{};      ///< lowest stored cell of the box, cells per axis
+  double sense = 1;                         ///< 1: the nodes run anticlockwise, -1: clockwise
+  Array<double> area;                       ///< share of a cell inside [-]
+  Array<FaceMoments> right_face, top_face;  ///< between a cell and the next one along x, along y
+  std::vector<Piece> pieces;
   Array<int> host;         ///< cell whose pressure and rate a cell shares
   Array<double> volume;    ///< of particles, at hosts [m3]
   Array<double> pressure;  ///< pi, at hosts [Pa]
@@ -116,8 +125,9 @@ struct Grid {
   Array<Vec4> sum;    ///< momentum in lanes 0..Dim-1 [kg m/s], mass in lane 3 [kg]; 2D: volume in lane 2 [m3]
   Array<Vec4> force;  ///< force from stresses in lanes 0..Dim-1 [N]; 3D: volume in lane 3 [m3]. Without it, dt force is
                       ///< in `sum`
-  Array<Vec4> velocity;         ///< v' in lanes 0..Dim-1 [m/s]; fill ratio in lane 3 where particles shift
-  Array<Vec4> velocity_change;  ///< v' - v [m/s]; only for Transfer::blend and musl, with mass_correction and relaxation
+  Array<Vec4> velocity;  ///< v' in lanes 0..Dim-1 [m/s]; fill ratio in lane 3 where particles shift
+  Array<Vec4>
+      velocity_change;  ///< v' - v [m/s]; only for Transfer::blend and musl, with mass_correction and relaxation
 
   Array<Vec4>
       mass_correction;  ///< what the consistent mass matrix adds to both [m/s]; only with MassMatrix::consistent

@@ -43,13 +43,13 @@ double percentile(std::vector<double> values, double percent);
 /// Tension and size of a membrane.
 template <int Dim>
 struct MembraneMeasures {
-  double tension_max = 0, tension_mean = 0, tension_p95 = 0;  ///< mean over rest length, p95 over segments [N/m]
-  Vec<Dim> tension_max_at = Vec<Dim>::Zero();                 ///< middle of the segment [m]
-  double length = 0;                                          ///< of the line now [m]
-  double area = 0;                                            ///< enclosed, 2D and closed only [m2]
-  double tension_deviation = 0;                               ///< standard deviation along the rest length [N/m]
+  double tension_max = 0, tension_mean = 0, tension_p95 = 0;    ///< mean over rest length, p95 over segments [N/m]
+  Vec<Dim> tension_max_at = Vec<Dim>::Zero();                   ///< middle of the segment [m]
+  double length = 0;                                            ///< of the line now [m]
+  double area = 0;                                              ///< enclosed, 2D and closed only [m2]
+  double tension_deviation = 0;                                 ///< standard deviation along the rest length [N/m]
   Vec<Dim> lower = Vec<Dim>::Zero(), upper = Vec<Dim>::Zero();  ///< extremes of the nodes [m]
-  double utilisation_max = 0;                                 ///< tension over strength [-]; NaN without strength
+  double utilisation_max = 0;                                   ///< tension over strength [-]; NaN without strength
 };
 template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane);

@@ -20,10 +20,10 @@ struct Body {
   std::string material_name;
   Material material;
   PressureSupport pressure = PressureSupport::cell;
-  bool shift = false;      ///< particle shifting (fluids)
-  double shift_speed = 0;  ///< v0 of the shift [m/s]
-  double half_size = 0;    ///< half width of a particle's domain (Basis::gimp) [h]
-  int enclosed = -1;       ///< index in Grid::enclosed (PressureSupport::enclosed)
+  bool shift = false;                            ///< particle shifting (fluids)
+  double shift_speed = 0;                        ///< v0 of the shift [m/s]
+  double half_size = 0;                          ///< half width of a particle's domain (Basis::gimp) [h]
+  int enclosed = -1;                             ///< index in Grid::enclosed (PressureSupport::enclosed)
   double unit_weight = 0, weightless_level = 0;  ///< of an enclosed fluid: gamma [N/m3], y0 [m]
 
   std::array<Array<double>, Dim> x;             ///< position [m]

@@ -75,12 +75,11 @@ Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const Sta
 
 template <int Dim>
 void add_contact_forces(State<Dim>& state, double dt) {
-  for (Contact<Dim>& contact : state.contacts)
-    add_contact_force(contact, dt, named(state.membranes, contact.membrane));
+  for (Contact<Dim>& contact : state.contacts) add_contact_force(contact, dt, named(state.membranes, contact.membrane));
 }
 
-#define GEODROP_INSTANTIATE(D)                                                                    \
-  template Contact<D> make_contact<D>(const Scene&, const ContactSpec&, const State<D>&);         \
+#define GEODROP_INSTANTIATE(D)                                                            \
+  template Contact<D> make_contact<D>(const Scene&, const ContactSpec&, const State<D>&); \
   template void add_contact_forces<D>(State<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -5,14 +5,15 @@
 
 #include "../kernels/kernels.hpp"
 #include "../kernels/slabs.hpp"
-#include "polygon_moments.hpp"
+#include "../membrane/membrane_force.hpp"
+#include "cut_cells.hpp"
 
 namespace geodrop {
 namespace {
 
 /// f(body, its membrane, its cells) for all enclosed bodies.
-template <class State, class Cells, class F>
-void for_each_enclosed(State& state, Cells& enclosed, F&& f) {
+template <class State, class Enclosed, class F>
+void for_each_enclosed(State& state, Enclosed& enclosed, F&& f) {
   for (auto& body : state.bodies) {
     if (body.pressure != PressureSupport::enclosed) continue;
     const auto membrane = std::find_if(state.membranes.begin(), state.membranes.end(),
@@ -21,12 +22,12 @@ void for_each_enclosed(State& state, Cells& enclosed, F&& f) {
   }
 }
 
-/// A cell keeps a pressure of its own if this share of it lies inside and is filled.
+/// A cell stands by itself if this share of it lies inside and is filled.
 constexpr double least_inside = 0.5, least_filled = 0.3;
 
 /// Offsets to the cells around, nearest first; a tube thinner than a cell has no cell nearby that stands by itself.
 /// The order is fixed: the largest of several whole cells would be another one at each step, by round-off, and the
-/// changing hosts would keep a tube in motion (6.45 m2: a tenth of its weight out of balance for ever).
+/// changing hosts would keep a tube in motion.
 std::vector<std::array<int, 2>> offsets_by_distance() {
   constexpr int farthest = 3;
   std::vector<std::array<int, 2>> offsets;
@@ -39,12 +40,12 @@ std::vector<std::array<int, 2>> offsets_by_distance() {
 
 /// A cell that does not stand by itself joins the nearest that does. Local indices.
 void choose_hosts(double cell_volume, EnclosedCells& cells) {
+  static const std::vector<std::array<int, 2>> nearby = offsets_by_distance();
   const int nx = cells.count[0], ny = cells.count[1];
   const auto stands = [&](int c) {
-    return cells.moments[c][0] >= least_inside && cells.volume[c] >= least_filled * cell_volume;
+    return cells.area[c] >= least_inside && cells.volume[c] >= least_filled * cell_volume;
   };
-  static const std::vector<std::array<int, 2>> nearby = offsets_by_distance();
-  cells.host.resize(cells.moments.size());
+  cells.host.resize(cells.area.size());
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
       const int c = i + j * nx;
@@ -65,70 +66,102 @@ void sum_into_hosts(const EnclosedCells& cells, Array<double>& values) {
   }
 }
 
-/// Local index of the cell of a particle, -1 outside of the box.
-int local_cell(const GridLayout<2>& layout, const EnclosedCells& cells, double x, double y) {
-  const int i = layout.base(0, x) + GridLayout<2>::pad - cells.first[0];
-  const int j = layout.base(1, y) + GridLayout<2>::pad - cells.first[1];
-  const bool inside = i >= 0 && j >= 0 && i < cells.count[0] && j < cells.count[1];
-  return inside ? i + j * cells.count[0] : -1;
+/// f(p, local cell) for the particles of a body within the box.
+template <class F>
+void for_each_particle(const Body<2>& body, const GridLayout<2>& layout, const EnclosedCells& cells, F&& f) {
+  const auto [nx, ny] = cells.count;
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const int i = layout.base(0, body.x[0][p]) + GridLayout<2>::pad - cells.first[0];
+    const int j = layout.base(1, body.x[1][p]) + GridLayout<2>::pad - cells.first[1];
+    if (i >= 0 && j >= 0 && i < nx && j < ny) f(p, i + j * nx);
+  }
+}
+
+void sum_particles(const Body<2>& body, const GridLayout<2>& layout, EnclosedCells& cells) {
+  const auto& fluid = std::get<Newtonian>(body.material);
+  cells.volume.assign(cells.area.size(), 0.0);
+  cells.pressure.assign(cells.area.size(), 0.0);
+  for_each_particle(body, layout, cells, [&](std::size_t p, int c) {
+    const double volume = body.volume(p);
+    cells.volume[c] += volume;
+    cells.pressure[c] += volume * fluid.bulk_modulus * (1 / body.J[p] - 1);
+  });
+}
+
+/// A face between two cells of different hosts: local cells, flat indices of its six nodes, int N over the part inside
+/// [m], and the axis that it is normal to.
+struct Face {
+  int below, above, axis;
+  std::array<int, 6> node;
+  std::array<double, 6> weight;
+};
+
+/// int N_n over the part of a face inside, for the three nodes along it [h].
+std::array<double, 3> integrals_along(const FaceMoments& m) {
+  return {0.125 * m[0] - 0.5 * m[1] + 0.5 * m[2], 0.75 * m[0] - m[2], 0.125 * m[0] + 0.5 * m[1] + 0.5 * m[2]};
+}
+
+template <class F>
+void for_each_face(const GridLayout<2>& layout, const EnclosedCells& cells, F&& f) {
+  const auto [nx, ny] = cells.count;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Array<FaceMoments>& faces = axis == 0 ? cells.right_face : cells.top_face;
+    const int to_above = axis == 0 ? 1 : nx;
+    const int across = layout.stride[axis], along = layout.stride[1 - axis];
+    for (int j = 0; j < ny - axis; ++j)
+      for (int i = 0; i < nx - 1 + axis; ++i) {
+        const int c = i + j * nx;
+        if (faces[c][0] <= 0 || cells.host[c] == cells.host[c + to_above]) continue;
+        Face face{c, c + to_above, axis, {}, {}};
+        const int flat = cells.first[0] + i + (cells.first[1] + j) * layout.stride[1];
+        const std::array<double, 3> integral = integrals_along(faces[c]);
+        for (int n = 0; n < 3; ++n)
+          for (int side = 0; side < 2; ++side) {
+            face.node[2 * n + side] = flat + (n - 1) * along + side * across;
+            face.weight[2 * n + side] = 0.5 * layout.h * integral[n];  // N across is 1/2 for both
+          }
+        f(face);
+      }
+  }
 }
 
 /// Share of the wave speed at which differences of pi even out from cell to cell, and of J within a cell.
 constexpr double evening = 0.1;
 
-/// Volume that cells of higher pressure hand to their neighbours [m2/s].
-void add_diffusion(const Newtonian& fluid, double h, const EnclosedCells& cells, Array<double>& flux) {
-  const double conductance = evening * std::sqrt(fluid.bulk_modulus / fluid.density) * h / fluid.bulk_modulus;
-  const int nx = cells.count[0], ny = cells.count[1];
-  const auto exchange = [&](int c, int neighbour) {
-    const int a = cells.host[c], b = cells.host[neighbour];
-    if (cells.moments[c][0] <= 0 || cells.moments[neighbour][0] <= 0) return;
-    const double q = conductance * (cells.pressure[a] - cells.pressure[b]);
-    flux[a] += q;
-    flux[b] -= q;
-  };
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) {
-      if (i + 1 < nx) exchange(i + j * nx, i + 1 + j * nx);
-      if (j + 1 < ny) exchange(i + j * nx, i + (j + 1) * nx);
-    }
-}
-
-void sum_particles(const Body<2>& body, const GridLayout<2>& layout, EnclosedCells& cells) {
-  const auto& fluid = std::get<Newtonian>(body.material);
-  cells.volume.assign(cells.moments.size(), 0.0);
-  cells.pressure.assign(cells.moments.size(), 0.0);
-  for (std::size_t p = 0; p < body.size(); ++p) {
-    const int c = local_cell(layout, cells, body.x[0][p], body.x[1][p]);
-    if (c < 0) continue;
-    const double volume = body.volume(p);
-    cells.volume[c] += volume;
-    cells.pressure[c] += volume * fluid.bulk_modulus * (1 / body.J[p] - 1);
-  }
-}
-
 /// J of particles moves by `share` towards the mean of their cell; the volume of the cell stays.
 void even_out(Body<2>& body, const GridLayout<2>& layout, double share, const EnclosedCells& cells) {
-  Array<double> rest(cells.moments.size(), 0.0);
-  for (std::size_t p = 0; p < body.size(); ++p)
-    if (const int c = local_cell(layout, cells, body.x[0][p], body.x[1][p]); c >= 0)
-      rest[cells.host[c]] += body.volume(p) / body.J[p];
-  for (std::size_t p = 0; p < body.size(); ++p)
-    if (const int c = local_cell(layout, cells, body.x[0][p], body.x[1][p]); c >= 0)
-      body.J[p] += share * (cells.volume[cells.host[c]] / rest[cells.host[c]] - body.J[p]);
+  Array<double> rest(cells.area.size(), 0.0);
+  for_each_particle(body, layout, cells,
+                    [&](std::size_t p, int c) { rest[cells.host[c]] += body.volume(p) / body.J[p]; });
+  for_each_particle(body, layout, cells, [&](std::size_t p, int c) {
+    const int host = cells.host[c];
+    body.J[p] += share * (cells.volume[host] / rest[host] - body.J[p]);
+  });
 }
 
-/// f(local cell, flat index, gradients) for all cells that are at least partly inside.
-template <class F>
-void for_each_cell(const GridLayout<2>& layout, const EnclosedCells& cells, F&& f) {
-  constexpr double nothing = 1e-12;
-  for (int j = 0; j < cells.count[1]; ++j)
-    for (int i = 0; i < cells.count[0]; ++i) {
-      const int c = i + j * cells.count[0];
-      if (cells.moments[c][0] < nothing) continue;
-      f(c, cells.first[0] + i + (cells.first[1] + j) * layout.stride[1],
-        gradient_integrals(cells.moments[c], layout.h));
-    }
+/// Flow out of the cells through faces and membrane, of velocities and of evening pressures [m2/s].
+Array<double> outflow(const Body<2>& body, const Membrane<2>& membrane, const Grid<2>& grid,
+                      const EnclosedCells& cells) {
+  const auto& fluid = std::get<Newtonian>(body.material);
+  const double conductance = evening * std::sqrt(fluid.bulk_modulus / fluid.density) / fluid.bulk_modulus;
+  Array<double> flow(cells.area.size(), 0.0);
+  for_each_face(grid.layout, cells, [&](const Face& face) {
+    const double jump = cells.pressure[cells.host[face.below]] - cells.pressure[cells.host[face.above]];
+    double through = 0;
+    for (std::size_t n = 0; n < face.node.size(); ++n)
+      through += face.weight[n] * (grid.velocity[face.node[n]][face.axis] + conductance * jump);
+    flow[face.below] += through;
+    flow[face.above] -= through;
+  });
+  const auto v = node_velocities(membrane, grid);
+  const auto& [x, y] = membrane.x;
+  for (const EnclosedCells::Piece& piece : cells.pieces) {
+    const std::size_t k = piece.edge, next = k + 1 == membrane.nodes() ? 0 : k + 1;
+    const double normal[] = {cells.sense * (y[next] - y[k]), cells.sense * (x[k] - x[next])};
+    for (int a = 0; a < 2; ++a)
+      flow[piece.cell] += normal[a] * (piece.start_share * v[a][k] + piece.end_share * v[a][next]);
+  }
+  return flow;
 }
 
 }  // namespace
@@ -136,7 +169,7 @@ void for_each_cell(const GridLayout<2>& layout, const EnclosedCells& cells, F&& 
 template <>
 void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
   for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
-    cover_polygon(grid.layout, membrane.x[0], membrane.x[1], cells);
+    cut_cells(grid.layout, membrane.x[0], membrane.x[1], cells);
     sum_particles(body, grid.layout, cells);
     choose_hosts(grid.layout.h * grid.layout.h, cells);
     sum_into_hosts(cells, cells.volume);
@@ -147,25 +180,26 @@ void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
 }
 
 template <>
-void add_weight_loads(State<2>& state) {
-  std::vector<EnclosedCells> none(state.bodies.size());
-  for_each_enclosed(state, none, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells&) {
+void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
+  for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells& cells) {
     const auto& [x, y] = membrane.x;
-    double twice_area = 0;
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const std::size_t next = k + 1 == membrane.nodes() ? 0 : k + 1;
-      twice_area += x[k] * y[next] - x[next] * y[k];
-    }
-    const double outward = twice_area > 0 ? 1 : -1;
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const std::size_t next = k + 1 == membrane.nodes() ? 0 : k + 1;
-      const double here = outward * body.unit_weight * (body.weightless_level - y[k]);
-      const double there = outward * body.unit_weight * (body.weightless_level - y[next]);
-      const double normal[] = {y[next] - y[k], x[k] - x[next]};
+    const auto add = [&](std::size_t k, std::size_t next, double at_start, double at_end) {
+      const double normal[] = {cells.sense * (y[next] - y[k]), cells.sense * (x[k] - x[next])};
       for (int a = 0; a < 2; ++a) {
-        membrane.load[a][k] += (here / 3 + there / 6) * normal[a];
-        membrane.load[a][next] += (here / 6 + there / 3) * normal[a];
+        membrane.load[a][k] += at_start * normal[a];
+        membrane.load[a][next] += at_end * normal[a];
       }
+    };
+    for (const EnclosedCells::Piece& piece : cells.pieces) {
+      const std::size_t k = piece.edge, next = k + 1 == membrane.nodes() ? 0 : k + 1;
+      const double pressure = cells.pressure[cells.host[piece.cell]];
+      add(k, next, pressure * piece.start_share, pressure * piece.end_share);
+    }
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      const std::size_t next = k + 1 == membrane.nodes() ? 0 : k + 1;
+      const double here = body.unit_weight * (body.weightless_level - y[k]);
+      const double there = body.unit_weight * (body.weightless_level - y[next]);
+      add(k, next, here / 3 + there / 6, here / 6 + there / 3);
     }
   });
 }
@@ -176,12 +210,10 @@ void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g
   Array<Vec4>& target = separate ? grid.force : grid.sum;
   const double scale = separate ? 1.0 : dt;
   for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, const Membrane<2>&, const EnclosedCells& cells) {
-    for_each_cell(grid.layout, cells, [&](int c, int flat, const CellGradients& gradients) {
-      const double pressure = scale * cells.pressure[cells.host[c]];
-      for (int n = 0; n < 9; ++n) {
-        Vec4& record = target[flat + n % 3 - 1 + (n / 3 - 1) * grid.layout.stride[1]];
-        for (int a = 0; a < 2; ++a) record[a] += pressure * gradients[n][a];
-      }
+    for_each_face(grid.layout, cells, [&](const Face& face) {
+      const double jump = cells.pressure[cells.host[face.below]] - cells.pressure[cells.host[face.above]];
+      for (std::size_t n = 0; n < face.node.size(); ++n)
+        target[face.node[n]][face.axis] += scale * jump * face.weight[n];
     });
     std::array<Array<double>, 2> lift;
     for (int a = 0; a < 2; ++a) lift[a].assign(body.size(), -scale * g[a]);
@@ -193,24 +225,17 @@ void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g
 
 template <>
 void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt) {
-  for_each_enclosed(state, grid.enclosed, [&](Body<2>& body, const Membrane<2>&, EnclosedCells& cells) {
-    const auto& fluid = std::get<Newtonian>(body.material);
-    Array<double> flux(cells.moments.size(), 0.0);
-    for_each_cell(grid.layout, cells, [&](int c, int flat, const CellGradients& gradients) {
-      for (int n = 0; n < 9; ++n) {
-        const Vec4& v = grid.velocity[flat + n % 3 - 1 + (n / 3 - 1) * grid.layout.stride[1]];
-        flux[c] += v[0] * gradients[n][0] + v[1] * gradients[n][1];
-      }
-    });
-    sum_into_hosts(cells, flux);
-    add_diffusion(fluid, grid.layout.h, cells, flux);
-    even_out(body, grid.layout, evening * std::sqrt(fluid.bulk_modulus / fluid.density) * dt / grid.layout.h, cells);
-    for (int j = 0; j < cells.count[1]; ++j)
-      for (int i = 0; i < cells.count[0]; ++i) {
-        const int host = cells.host[i + j * cells.count[0]];
+  for_each_enclosed(state, grid.enclosed, [&](Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
+    Array<double> flow = outflow(body, membrane, grid, cells);
+    sum_into_hosts(cells, flow);
+    const auto [nx, ny] = cells.count;
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const int host = cells.host[i + j * nx];
         cells.rate[cells.first[0] + i + (cells.first[1] + j) * grid.layout.stride[1]] =
-            cells.volume[host] > 0 ? flux[host] / cells.volume[host] : 0.0;
+            cells.volume[host] > 0 ? flow[host] / cells.volume[host] : 0.0;
       }
+    even_out(body, grid.layout, evening * wave_speed(body.material) * dt / grid.layout.h, cells);
   });
 }
 
@@ -218,7 +243,7 @@ void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt) {
 template <>
 void update_enclosed_cells(const State<3>&, Grid<3>&) {}
 template <>
-void add_weight_loads(State<3>&) {}
+void add_fluid_loads(State<3>&, const Grid<3>&) {}
 template <>
 void enclosed_force_to_grid(const State<3>&, Grid<3>&, const Point&, double) {}
 template <>

@@ -182,6 +182,17 @@ std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
 }
 
 template <int Dim>
+std::array<Array<double>, Dim> node_velocities(const Membrane<Dim>& membrane, const Grid<Dim>& grid) {
+  std::array<Array<double>, Dim> out;
+  for (auto& component : out) component.resize(membrane.nodes());
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    const Vec4 v = interpolate(grid.layout, support_of_node(grid.layout, membrane, k), grid.velocity);
+    for (int a = 0; a < Dim; ++a) out[a][k] = v[a];
+  }
+  return out;
+}
+
+template <int Dim>
 void clear_membrane_loads(State<Dim>& state) {
   for (Membrane<Dim>& membrane : state.membranes)
     for (auto& component : membrane.load) std::fill(component.begin(), component.end(), 0.0);
@@ -254,6 +265,7 @@ void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
 #define GEODROP_INSTANTIATE(D)                                                                     \
   template void update_tension<D>(Membrane<D>&);                                                   \
   template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);                    \
+  template std::array<Array<double>, D> node_velocities<D>(const Membrane<D>&, const Grid<D>&);    \
   template void clear_membrane_loads<D>(State<D>&);                                                \
   template void membranes_to_grid<D>(State<D>&, Grid<D>&, double);                                 \
   template void update_membrane_velocity<D>(const SolverSpec&, State<D>&, const Grid<D>&, double); \

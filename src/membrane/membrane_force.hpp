@@ -32,6 +32,10 @@ void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid);
 template <int Dim>
 void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt);
 
+/// Velocities of the grid at the nodes of a membrane [m/s].
+template <int Dim>
+std::array<Array<double>, Dim> node_velocities(const Membrane<Dim>& membrane, const Grid<Dim>& grid);
+
 /// Membrane::load := 0 where there is any.
 template <int Dim>
 void clear_membrane_loads(State<Dim>& state);

@@ -75,15 +75,16 @@ void damp_kinetically(const RelaxationSpec& spec, const Point& gravity, State<Di
   const double work = r.initial_potential - measure(state, gravity).potential;
   r.kinetic_ratio = r.kinetic_largest / work;
   r.out_of_balance_ratio = r.out_of_balance_largest;
-  const bool met = work > 0 && r.kinetic_ratio < spec.kinetic_ratio && r.out_of_balance_ratio < spec.out_of_balance_ratio;
+  const bool met =
+      work > 0 && r.kinetic_ratio < spec.kinetic_ratio && r.out_of_balance_ratio < spec.out_of_balance_ratio;
   r.cycles_at_rest = met ? r.cycles_at_rest + 1 : 0;
   ++r.cycles;
   r.kinetic_largest = r.out_of_balance_largest = 0;
   r.steps = 0;
 }
 
-#define GEODROP_INSTANTIATE(D)                                                                                \
-  template void measure_balance<D>(const Point&, double, State<D>&, const Grid<D>&);           \
+#define GEODROP_INSTANTIATE(D)                                                       \
+  template void measure_balance<D>(const Point&, double, State<D>&, const Grid<D>&); \
   template void damp_kinetically<D>(const RelaxationSpec&, const Point&, State<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

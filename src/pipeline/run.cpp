@@ -67,9 +67,8 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
   const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
   RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
   // A run that ends before its scene does, by signal or by --until, can go on later.
-  const bool unfinished =
-      statistics.status == RunStatus::stopped ||
-      (statistics.status == RunStatus::done && end < scene.time.end && !at_rest(state.relaxation));
+  const bool unfinished = statistics.status == RunStatus::stopped ||
+                          (statistics.status == RunStatus::done && end < scene.time.end && !at_rest(state.relaxation));
   if (unfinished) output.checkpoint(Frame<Dim>(state));
   const Summary summary = output.finish(Frame<Dim>(state), statistics);
   return exit_code(statistics.status, summary.expectations_met, verify);

@@ -30,7 +30,8 @@ void check_start(const Scene& scene, const MembraneSpec& membrane, const RigidSp
     deepest = std::max(deepest, -gap);
   }
   if (deepest > allowed)
-    report.add(key + ".between", '"' + membrane.name + "\" up to " + to_text(deepest) + " m inside \"" + rigid.name + '"',
+    report.add(key + ".between",
+               '"' + membrane.name + "\" up to " + to_text(deepest) + " m inside \"" + rigid.name + '"',
                "a membrane that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
 }
 
