@@ -211,6 +211,15 @@ struct ContactSpec {
   bool operator==(const ContactSpec&) const = default;
 };
 
+/// Fluid that is pumped into a body while from <= t < to: its rest volume grows.
+struct PumpSpec {
+  std::string body;
+  double rate = 0;          ///< rest volume per time [m3/s], per metre of depth in 2D [m2/s]
+  double from = 0, to = 0;  ///< [s]
+  SourceRef at;
+  bool operator==(const PumpSpec&) const = default;
+};
+
 // --- Numerics ----------------------------------------------------------------------------------
 enum class Basis { bspline2, gimp, linear, tri3, tet4 };
 inline bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
@@ -342,6 +351,7 @@ struct Scene {
   std::vector<MembraneSpec> membranes;
   std::vector<RigidSpec> rigid;
   std::vector<ContactSpec> contacts;
+  std::vector<PumpSpec> pumps;
   std::vector<ExactSpec> exact;
   std::vector<ProbeSpec> probes;
   std::vector<ResultSpec> results;

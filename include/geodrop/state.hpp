@@ -72,7 +72,7 @@ struct Membrane {
   Array<double> mass;                   ///< nodes [kg], per metre of depth
   Array<double> rest_length;            ///< segments [m]
   Array<double> strain;                 ///< segments, averaged, signed [-]
-  Array<double> tension;                ///< segments, averaged [N/m]
+  Array<double> tension;                ///< segments, that acts: averaged twice [N/m]
   double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
   std::array<Array<double>, Dim> load;  ///< nodes: of contacts, of the weight inside [N]; else empty
 

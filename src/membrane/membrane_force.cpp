@@ -150,29 +150,27 @@ void update_tension(Membrane<Dim>& membrane) {
   const std::size_t n = membrane.segments();
   Array<double> raw(n);
   for (std::size_t s = 0; s < n; ++s) raw[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
+  std::fill(membrane.tension.begin(), membrane.tension.end(), 0.0);
   for (std::size_t s = 0; s < n; ++s) {
     double mean = 0;
     for_box(membrane, s, [&](std::size_t other, double weight) { mean += weight * raw[other]; });
     membrane.strain[s] = mean;
-    membrane.tension[s] = std::max(0.0, membrane.axial_stiffness * mean);
-    membrane.tension_peak = std::max(membrane.tension_peak, membrane.tension[s]);
+    const double pull = std::max(0.0, membrane.axial_stiffness * mean) * membrane.rest_length[s];
+    for_box(membrane, s, [&](std::size_t r, double weight) {
+      membrane.tension[r] += weight * pull / membrane.rest_length[r];
+    });
   }
+  for (const double tension : membrane.tension) membrane.tension_peak = std::max(membrane.tension_peak, tension);
 }
 
 template <int Dim>
 std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
-  // Energy sum_s L0_s J e_s^2 / 2 with e_s = sum_r W_sr e_r: the force of segment r is (1/L0_r) sum_s W_sr L0_s T_s.
-  Array<double> pull(membrane.segments(), 0.0);
-  for (std::size_t s = 0; s < membrane.segments(); ++s)
-    for_box(membrane, s,
-            [&](std::size_t r, double weight) { pull[r] += weight * membrane.rest_length[s] * membrane.tension[s]; });
   std::array<Array<double>, Dim> force;
   for (auto& component : force) component.assign(membrane.nodes(), 0.0);
   for (std::size_t r = 0; r < membrane.segments(); ++r) {
     const auto d = segment_vector(membrane, r);
     const double now = length(d);
-    const double scale =
-        now > 0 ? pull[r] / (membrane.rest_length[r] * now) : 0.0;  // two nodes in one place: no direction
+    const double scale = now > 0 ? membrane.tension[r] / now : 0.0;  // two nodes in one place: no direction
     for (int a = 0; a < Dim; ++a) {
       force[a][r] += scale * d[a];
       force[a][end_node(membrane, r)] -= scale * d[a];

@@ -12,6 +12,7 @@
 #include "../grid/sort_particles.hpp"
 #include "../kernels/transfer_stages.hpp"
 #include "../membrane/membrane_force.hpp"
+#include "pumps.hpp"
 #include "relaxation.hpp"
 
 namespace geodrop {
@@ -41,6 +42,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool membranes = !scene.membranes.empty();
   const bool enclosed = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::enclosed; });
   const bool loads = enclosed || !scene.contacts.empty();
+  const std::vector<PumpSpec> pumps = scene.pumps;
   const RelaxationSpec relaxation = scene.relaxation;
   const bool relaxes = relaxation.damping == RelaxationSpec::Damping::kinetic;
   const SolverSpec solver = scene.solver;
@@ -75,6 +77,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
+  add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps](S& s, G&, const C& c) { pump_fluid(pumps, c, s); });
   add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, G&, const C&) { damp_kinetically(relaxation, g_vector, s); });
   // clang-format on
   return p;

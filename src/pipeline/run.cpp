@@ -21,6 +21,13 @@ void write_due_output(Output<Dim>& output, State<Dim>& state) {
   if (output.frame_due(state.t)) output.write_frame(Frame<Dim>(state));
 }
 
+/// At rest, with no pump still to run.
+template <int Dim>
+bool is_over(const Scene& scene, const State<Dim>& state) {
+  return at_rest(state.relaxation) &&
+         std::all_of(scene.pumps.begin(), scene.pumps.end(), [&](const PumpSpec& pump) { return state.t >= pump.to; });
+}
+
 /// Steps until `end` or a stop signal. On a broken run the status says failed; the state is as the break left it.
 template <int Dim>
 RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid,
@@ -30,12 +37,12 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   const auto start = std::chrono::steady_clock::now();
   try {
     statistics.facts = state_facts(scene, state);
-    while (state.t < end && !at_rest(state.relaxation) && !stop_requested()) {
+    while (state.t < end && !is_over(scene, state) && !stop_requested()) {
       advance(scene, pipeline, state, grid);
       write_due_output(output, state);
       output.progress(state.t, state.step);
     }
-    statistics.status = state.t < end && !at_rest(state.relaxation) ? RunStatus::stopped : RunStatus::done;
+    statistics.status = state.t < end && !is_over(scene, state) ? RunStatus::stopped : RunStatus::done;
   } catch (const RunError& error) {
     statistics.status = RunStatus::failed;
     statistics.message = error.what();
@@ -68,7 +75,7 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
   RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
   // A run that ends before its scene does, by signal or by --until, can go on later.
   const bool unfinished = statistics.status == RunStatus::stopped ||
-                          (statistics.status == RunStatus::done && end < scene.time.end && !at_rest(state.relaxation));
+                          (statistics.status == RunStatus::done && end < scene.time.end && !is_over(scene, state));
   if (unfinished) output.checkpoint(Frame<Dim>(state));
   const Summary summary = output.finish(Frame<Dim>(state), statistics);
   return exit_code(statistics.status, summary.expectations_met, verify);

@@ -173,6 +173,10 @@ ContactSpec bind_contact(const Fields& f, SourceRef at) {
   return {between[0], between[1], f.real("friction"), f.real("stiffness"), at};
 }
 
+PumpSpec bind_pump(const Fields& f, SourceRef at) {
+  return {f.text("body"), f.real("rate"), f.real("from"), f.real("to"), at};
+}
+
 ExactSpec bind_exact(const Fields& f, SourceRef at) {
   const std::string type = f.text("type"), body = f.text("body");
   if (type == "taylor_green") return {body, TaylorGreenSpec{f.real("speed"), f.real("length")}, at};
@@ -275,6 +279,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.membranes = bind_list(complete, report, "membranes", bind_membrane);
   scene.rigid = bind_list(complete, report, "rigid", bind_rigid);
   scene.contacts = bind_list(complete, report, "contacts", bind_contact);
+  scene.pumps = bind_list(complete, report, "pumps", bind_pump);
   scene.exact = bind_list(complete, report, "exact", bind_exact);
   scene.probes = bind_list(complete, report, "probes", bind_probe);
   scene.results = bind_list(complete, report, "results", bind_result);

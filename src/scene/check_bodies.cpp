@@ -1,6 +1,8 @@
 // Checks of bodies: names, what they refer to, and what their material allows.
 #include "check_scene.hpp"
+#include "key_table.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace geodrop {
@@ -53,13 +55,39 @@ bool is_neo_hookean(const Scene& scene, const BodySpec& body, const Report& repo
          std::holds_alternative<NeoHookeanSpec>(material->model);
 }
 
+/// An enclosed fluid fills its shape, and one closed membrane runs along the whole outline of that.
+void check_enclosed(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  if (body.pressure != PressureSupport::enclosed) return;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    report.add(key + ".pressure", "\"enclosed\" " + found, allowed);
+  };
+  const MaterialSpec* material = find_material(scene, body.material);
+  const bool fluid = !material || !report.healthy("materials." + material->name + ".model") ||
+                     std::holds_alternative<NewtonianSpec>(material->model);
+  const auto around = std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+    return membrane.body == body.name && membrane.closed && membrane.points.empty();
+  });
+  if (scene.dimension != 2)
+    refuse("in space", "cell or particle; enclosed is for dimension = 2");
+  else if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
+    refuse("on a grid whose cells are not knot spans of one size", "enclosed with basis = \"bspline2\" and no zones");
+  else if (!fluid)
+    refuse("for a body of \"" + body.material + '"', "enclosed with a newtonian material");
+  else if (around != 1 || !body.minus.empty())
+    refuse("with " + std::to_string(around) + " closed membranes on the whole outline" +
+               (body.minus.empty() ? "" : ", and with bodies cut out"),
+           "enclosed with one closed membrane without points, and without minus");
+  else if (scene.gravity[0] != 0)
+    refuse("with gravity " + to_text(scene.gravity), "enclosed with gravity along the vertical axis");
+}
+
 void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   if (!report.healthy("grid.basis") || !report.healthy(key + ".pressure")) return;
   const bool simplex = is_simplex(scene.grid.basis);
   // The volume of a neo-Hookean particle is det F, which cannot follow an averaged rate of volume.
   if (body.pressure != PressureSupport::particle && is_neo_hookean(scene, body, report))
     report.add(key + ".pressure",
-               (body.pressure == PressureSupport::cell ? "\"cell\"" : "\"nodal\"") + std::string(" for a body of \"") +
+               '"' + word_of("bodies", "pressure", static_cast<std::size_t>(body.pressure)) + "\" for a body of \"" +
                    body.material + '"',
                "\"particle\", as the material is neo_hookean");
   else if (simplex && body.pressure == PressureSupport::cell)
@@ -79,6 +107,9 @@ void check_bodies(const Scene& scene, Report& report) {
     check_minus(scene, scene.bodies[i], key, report);
     check_shift(scene, scene.bodies[i], key, report);
     check_pressure(scene, scene.bodies[i], key, report);
+    if (report.healthy("grid") && report.healthy("dimension") && report.healthy("gravity") &&
+        report.healthy("membranes") && report.healthy(key))
+      check_enclosed(scene, scene.bodies[i], key, report);
   }
 }
 

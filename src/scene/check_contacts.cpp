@@ -66,4 +66,15 @@ void check_contacts(const Scene& scene, Report& report) {
   }
 }
 
+void check_pumps(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.pumps.size(); ++i) {
+    const PumpSpec& pump = scene.pumps[i];
+    const std::string& key = report.element("pumps", i);
+    const bool known = check_reference(key + ".body", pump.body, names_of(scene.bodies), "bodies", report);
+    if (report.healthy(key + ".from") && report.healthy(key + ".to") && pump.to <= pump.from)
+      report.add(key + ".to", to_text(pump.to), "after from = " + to_text(pump.from) + " [s]");
+    if (known) check_fluid(scene, key + ".body", find_body(scene, pump.body)->material, report);
+  }
+}
+
 }  // namespace geodrop

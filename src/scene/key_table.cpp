@@ -76,6 +76,8 @@ constexpr Section sections[] = {
     {"rigid.shape", "shape of a rigid body", "", "An inline table."},
     {"contacts", "[[contacts]]", "",
      "Surface contact of a membrane's nodes with a rigid body: penalty normal to it, Coulomb friction along it."},
+    {"pumps", "[[pumps]]", "body",
+     "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
      "Exact solutions that bodies follow; the formulas stand in include/geodrop/exact.hpp. `axis_aligned_mms` comes "
      "with the body force that it needs."},
@@ -103,6 +105,7 @@ constexpr Key keys[] = {
     {"", "membranes", table_list, "", "", standard("[]"), maybe_none, "geotextiles", 2},
     {"", "rigid", table_list, "", "", standard("[]"), maybe_none, "rigid ground and walls", 2},
     {"", "contacts", table_list, "", "", standard("[]"), maybe_none, "what touches what", 2},
+    {"", "pumps", table_list, "", "", standard("[]"), maybe_none, "fluid that is pumped in"},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
     {"", "results", table_list, "", "", standard("[]"), maybe_none, "numbers that the run ends with"},
@@ -221,6 +224,11 @@ constexpr Key keys[] = {
     {"contacts", "between", names, "", "", required, reference, "a membrane and a rigid body"},
     {"contacts", "friction", real, "", "", required, not_negative, "coefficient of Coulomb friction"},
     {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body behind the membrane, h the cell"},
+
+    {"pumps", "body", name, "", "", required, reference, "which body grows"},
+    {"pumps", "rate", real, "m3/s", "", required, positive, "volume at zero pressure per time (2D: per metre of depth, m2/s)"},
+    {"pumps", "from", real, "s", "", required, not_negative, "when it starts"},
+    {"pumps", "to", real, "s", "", required, positive, "when it ends; a relaxation does not end before"},
 
     {"exact", "body", name, "", "", required, reference, "the body that follows the solution"},
     {"exact", "type", choice, "", "", required, words("axis_aligned_mms|taylor_green|uniform_motion|bar_first_mode"), "axis_aligned_mms: a neo-Hookean block that swings along each axis; taylor_green: decaying vortices of water; uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"},

@@ -46,12 +46,12 @@ Membrane<2> circle(int n, double radius, double strain, int averaging) {
   return membrane_at(x, chord / (1 + strain), true, averaging);
 }
 
-/// Energy that is stored with the tension: sum over segments of L0 T^2 / (2 J).
+/// Energy that is stored: sum over segments of L0 J e^2 / 2 where the mean strain e is positive.
 double energy(Membrane<2> m) {
   update_tension(m);
   double sum = 0;
   for (std::size_t s = 0; s < m.segments(); ++s)
-    sum += m.rest_length[s] * m.tension[s] * m.tension[s] / (2 * m.axial_stiffness);
+    sum += m.rest_length[s] * m.axial_stiffness * std::pow(std::max(0.0, m.strain[s]), 2) / 2;
   return sum;
 }
 

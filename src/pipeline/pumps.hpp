@@ -1,0 +1,12 @@
+// Pumps: the rest volume of a fluid body grows, so its pressure rises until its membrane gives way.
+#pragma once
+
+#include <geodrop/pipeline.hpp>
+
+namespace geodrop {
+
+/// Each particle gains mass at the same relative rate, with its own velocity; its volume stays for now, so J falls.
+template <int Dim>
+void pump_fluid(const std::vector<PumpSpec>& pumps, const StepContext& step, State<Dim>& state);
+
+}  // namespace geodrop
