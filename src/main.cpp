@@ -7,6 +7,7 @@
 
 #include "command_line/geotube.hpp"
 #include "command_line/only_if.hpp"
+#include "command_line/plot.hpp"
 #include "output/shell_command.hpp"
 
 #include <omp.h>
@@ -189,6 +190,9 @@ int main(int argc, char** argv) {
   auto* geotube_command = app.add_subcommand("geotube", "the exact shape and tension of a geotube at rest");
   geodrop::GeotubeArguments geotube;
   geodrop::add_geotube_options(*geotube_command, geotube);
+  auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
+  geodrop::PlotArguments plot;
+  geodrop::add_plot_options(*plot_command, plot);
 
   try {
     app.parse(argc, argv);
@@ -199,6 +203,7 @@ int main(int argc, char** argv) {
     arguments.compare = bench_command->count("--check") > 0;
     if (*bench_command) return bench(arguments);
     if (*geotube_command) return geodrop::run_geotube(geotube);
+    if (*plot_command) return geodrop::run_plot(plot);
     return info(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
