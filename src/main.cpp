@@ -5,10 +5,12 @@
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
+#include "command_line/geotube.hpp"
+#include "command_line/only_if.hpp"
+#include "command_line/plot.hpp"
 #include "output/shell_command.hpp"
 
 #include <omp.h>
-#include <CLI/CLI.hpp>
 
 #include <unistd.h>
 
@@ -55,25 +57,15 @@ std::vector<std::string> typed_command(int argc, char** argv) {
   return words;
 }
 
-/// CLI's own validators would answer with their whole range, up to 1.8e308.
-template <class Number, class Condition>
-CLI::Validator only_if(const Condition& good, const std::string& allowed) {
-  const auto complaint = [good, allowed](const std::string& text) {
-    Number value{};
-    const bool fits = CLI::detail::lexical_cast(text, value) && good(value);
-    return fits ? std::string() : "found " + text + "; allowed: " + allowed;
-  };
-  return CLI::Validator(complaint, "", "only_if");
-}
-
 CLI::Validator positive_time() {
-  return only_if<double>([](double t) { return t > 0; }, "a time > 0 [s]");
+  return geodrop::only_if<double>([](double t) { return t > 0; }, "a time > 0 [s]");
 }
 
 /// Far above what pays on any machine, far below what the system refuses, which would end the program without a word.
 CLI::Validator thread_count() {
   constexpr int most = 1024;
-  return only_if<int>([](int n) { return n >= 1 && n <= most; }, "a whole number from 1 to " + std::to_string(most));
+  return geodrop::only_if<int>([](int n) { return n >= 1 && n <= most; },
+                               "a whole number from 1 to " + std::to_string(most));
 }
 
 /// libgomp reads how long a waiting thread spins before the program can say so; hence one restart with the answer.
@@ -154,7 +146,7 @@ void add_bench_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--output", arguments.output, "directory for bench.csv or growth.csv (default: runs/bench)");
   command.add_option("--only", arguments.only, "only benchmarks whose name contains this");
   command.add_option("--particles", arguments.particles, "particles of a block; with --growth, at most")
-      ->check(only_if<double>([](double n) { return n >= 1e3 && n <= 1e8; }, "a number from 1e3 to 1e8"));
+      ->check(geodrop::only_if<double>([](double n) { return n >= 1e3 && n <= 1e8; }, "a number from 1e3 to 1e8"));
   command.add_option("--scene", arguments.bench_scene, "main case (default: cases/dump_kekerdom.toml)");
   auto* growth = command.add_flag("--growth", arguments.growth,
                                   "cost against number of particles and size of the domain, on 1 and on all threads");
@@ -195,6 +187,12 @@ int main(int argc, char** argv) {
 
   auto* bench_command = app.add_subcommand("bench", "measure million particle-steps per second; writes bench.csv");
   add_bench_options(*bench_command, arguments);
+  auto* geotube_command = app.add_subcommand("geotube", "the exact shape and tension of a geotube at rest");
+  geodrop::GeotubeArguments geotube;
+  geodrop::add_geotube_options(*geotube_command, geotube);
+  auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
+  geodrop::PlotArguments plot;
+  geodrop::add_plot_options(*plot_command, plot);
 
   try {
     app.parse(argc, argv);
@@ -204,6 +202,8 @@ int main(int argc, char** argv) {
     if (*stages_command) return stages(arguments);
     arguments.compare = bench_command->count("--check") > 0;
     if (*bench_command) return bench(arguments);
+    if (*geotube_command) return geodrop::run_geotube(geotube);
+    if (*plot_command) return geodrop::run_plot(plot);
     return info(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;

@@ -1,0 +1,196 @@
+// One list of results serves the terminal and the CSV, so that they cannot fall out of step.
+#include "geotube_report.hpp"
+
+#include "output/atomic_file.hpp"
+#include "output/text.hpp"
+#include "plot/chart.hpp"
+
+#include <geodrop/error.hpp>
+
+#include <cmath>
+
+namespace geodrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int digits = 10;
+
+struct Result {
+  std::string name, column, unit;  ///< for people, for the CSV
+  double value;
+};
+
+std::vector<Result> list_results(const Geotube& tube, const std::optional<TensionStrength>& strength) {
+  std::vector<Result> list{{"area", "area_m2", "m2", tube.area},
+                           {"height", "height_m", "m", tube.height},
+                           {"width", "width_m", "m", tube.width},
+                           {"height / width", "height_to_width_ratio", "-", tube.height / tube.width},
+                           {"base width", "base_width_m", "m", tube.base_width},
+                           {"level of the width", "width_level_m", "m", tube.width_level},
+                           {"membrane length", "length_m", "m", tube.length},
+                           {"membrane strain", "strain_ratio", "-", tube.strain},
+                           {"top pressure", "pressure_top_Pa", "Pa", tube.top_pressure},
+                           {"bottom pressure", "pressure_bottom_Pa", "Pa", tube.bottom_pressure},
+                           {"fill pressure top", "fill_pressure_top_Pa", "Pa", tube.fill_pressure_top},
+                           {"fill pressure bottom", "fill_pressure_bottom_Pa", "Pa", tube.fill_pressure_bottom},
+                           {"tension", "tension_N_m", "N/m", tube.tension}};
+  if (!strength) return list;
+  const double allowable = allowable_tension(*strength);
+  list.push_back({"allowable tension", "allowable_tension_N_m", "N/m", allowable});
+  list.push_back({"factor of safety", "factor_of_safety_ratio", "-", allowable / tube.tension});
+  list.push_back({"utilisation", "utilisation_ratio", "-", tube.tension / allowable});
+  return list;
+}
+
+std::vector<Result> list_inputs(const GeotubeInput& input) {
+  return {{"perimeter", "perimeter_m", "m", input.perimeter},
+          {"unit weight", "unit_weight_N_m3", "N/m3", input.unit_weight},
+          {"axial stiffness", "stiffness_N_m", "N/m", input.stiffness},
+          {"water level", "water_level_m", "m", input.water.level},
+          {"water unit weight", "water_unit_weight_N_m3", "N/m3", input.water.unit_weight}};
+}
+
+// --- Text ------------------------------------------------------------------------------------------------------------
+
+using Lines = std::vector<std::vector<std::string>>;
+
+Lines input_lines(const GeotubeReport& report) {
+  Lines lines;
+  for (const Result& given : list_inputs(report.input)) {
+    const bool is_stiffness = given.column == "stiffness_N_m";
+    if (is_stiffness && !std::isfinite(given.value)) {
+      lines.push_back({given.name, "not given", "inextensible"});
+    } else if (given.column == "water_level_m" && given.value == 0) {
+      lines.push_back({given.name, "none", "dry"});
+      break;
+    } else {
+      lines.push_back({given.name, format_number(given.value, digits), given.unit});
+    }
+  }
+  return lines;
+}
+
+std::string strength_text(const TensionStrength& strength) {
+  Lines lines{{"strength", format_number(strength.strength), "N/m"}};
+  const auto add = [&](const char* name, const std::optional<double>& factor) {
+    lines.push_back({name, factor ? format_number(*factor) : "not given: 1", "-"});
+  };
+  add("seam efficiency", strength.seam_efficiency);
+  add("reduction, installation", strength.installation);
+  add("reduction, creep", strength.creep);
+  add("reduction, durability", strength.durability);
+  add("reduction, seam", strength.seam);
+  return format_table(lines, "lrl");
+}
+
+std::string one_tube_text(const GeotubeReport& report) {
+  Lines lines;
+  for (const Result& result : list_results(report.tubes.front(), report.strength))
+    lines.push_back({result.name, format_number(result.value, digits), result.unit});
+  return format_table(lines, "lrl");
+}
+
+std::string table_text(const GeotubeReport& report) {
+  constexpr int table_digits = 6;
+  Lines lines{{}, {}};
+  for (const Result& result : list_results(report.tubes.front(), report.strength)) {
+    lines[0].push_back(result.name);
+    lines[1].push_back("[" + result.unit + "]");
+  }
+  for (const Geotube& tube : report.tubes) {
+    lines.emplace_back();
+    for (const Result& result : list_results(tube, report.strength))
+      lines.back().push_back(format_number(result.value, table_digits));
+  }
+  return format_table(lines, std::string(lines[0].size(), 'r'));
+}
+
+// --- Files -----------------------------------------------------------------------------------------------------------
+
+constexpr const char* results_file = "geotube.csv";
+constexpr int file_digits = 12;
+
+std::string results_csv(const GeotubeReport& report) {
+  std::string header, rows;
+  for (const Geotube& tube : report.tubes) {
+    std::vector<Result> row = list_inputs(report.input);
+    for (Result& result : list_results(tube, report.strength)) row.push_back(std::move(result));
+    std::string names, values;
+    for (const Result& result : row) {
+      names += (names.empty() ? "" : ",") + result.column;
+      values += (values.empty() ? "" : ",") + format_number(result.value, file_digits);
+    }
+    header = names;
+    rows += values + "\n";
+  }
+  return header + "\n" + rows;
+}
+
+std::string outline_csv(const std::vector<OutlinePoint>& outline) {
+  std::string text = "s_m,x_m,z_m,theta_rad,pressure_Pa\n";
+  for (const OutlinePoint& point : outline) {
+    std::string row;
+    for (const double value : {point.s, point.x, point.z, point.theta, point.pressure})
+      row += (row.empty() ? "" : ",") + format_number(value, file_digits);
+    text += row + "\n";
+  }
+  return text;
+}
+
+Chart outline_chart(const GeotubeReport& report, int segments) {
+  ChartPanel shape{"outline", "x [m]", "height above the ground [m]", {}, Aspect::equal};
+  ChartPanel load{"pressure difference", "pressure inside - outside [Pa]", "height above the ground [m]", {}};
+  for (const Geotube& tube : report.tubes) {
+    const std::string label = "A = " + format_number(tube.area, 4) + " m2, H = " + format_number(tube.height, 4) + " m";
+    ChartSeries outline{label, {}, {}}, pressure{label, {}, {}};
+    const std::vector<OutlinePoint> points = geotube_outline(tube, segments);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      outline.x.push_back(points[i].x);
+      outline.y.push_back(points[i].z);
+      if (2 * i >= points.size()) continue;  // the left side repeats the right
+      pressure.x.push_back(points[i].pressure);
+      pressure.y.push_back(points[i].z);
+    }
+    shape.series.push_back(outline);
+    load.series.push_back(pressure);
+  }
+  if (report.input.water.level > 0)
+    shape.series.push_back({"water outside",
+                            {-report.tubes.front().width, report.tubes.front().width},
+                            {report.input.water.level, report.input.water.level},
+                            SeriesStyle::dashed});
+  return {"Geotube of " + format_number(report.input.perimeter) + " m perimeter", {shape, load}, 1};
+}
+
+}  // namespace
+
+std::string report_text(const GeotubeReport& report) {
+  std::string text = format_table(input_lines(report), "lrl");
+  if (report.strength) text += strength_text(*report.strength);
+  return text + "\n" + (report.layout == ReportLayout::table ? table_text(report) : one_tube_text(report));
+}
+
+void check_geotube_directory(const fs::path& directory) {
+  const auto refuse = [&](const std::string& found) {
+    throw SceneError(
+        directory.string(),
+        {{{}, "--output", found, "a new directory or one of an earlier geodrop geotube", ProblemSource::elsewhere}});
+  };
+  if (!fs::exists(directory)) return;
+  if (!fs::is_directory(directory)) refuse("a file");
+  if (!fs::is_empty(directory) && !fs::exists(directory / results_file)) refuse("a directory with other files in it");
+}
+
+void write_geotube_files(const fs::path& directory, const GeotubeReport& report, int segments) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw RunError("cannot make the directory " + directory.string() + ": " + error.message());
+  for (const char* old : {results_file, "outline.csv", "outline.svg"}) fs::remove(directory / old);
+  write_file_atomically(directory / results_file, results_csv(report));
+  if (report.layout == ReportLayout::one_tube)
+    write_file_atomically(directory / "outline.csv", outline_csv(geotube_outline(report.tubes.front(), segments)));
+  write_chart(outline_chart(report, segments), directory / "outline.svg");
+}
+
+}  // namespace geodrop

@@ -1,0 +1,21 @@
+// What an option may be, in the words of all messages: what was found, what is allowed.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace geodrop {
+
+/// CLI's own validators would answer with their whole range, up to 1.8e308.
+template <class Number, class Condition>
+CLI::Validator only_if(const Condition& good, const std::string& allowed) {
+  const auto complaint = [good, allowed](const std::string& text) {
+    Number value{};
+    const bool fits = CLI::detail::lexical_cast(text, value) && good(value);
+    return fits ? std::string() : "found " + text + "; allowed: " + allowed;
+  };
+  return CLI::Validator(complaint, "", "only_if");
+}
+
+}  // namespace geodrop

@@ -1,0 +1,20 @@
+// `geodrop plot`: pictures of a run directory.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace geodrop {
+
+struct PlotArguments {
+  std::string directory;
+  std::string format = "svg";  ///< or png
+};
+
+void add_plot_options(CLI::App& command, PlotArguments& arguments);
+
+/// Writes history.svg (or .png) into the directory. Returns the exit code.
+int run_plot(const PlotArguments& arguments);
+
+}  // namespace geodrop

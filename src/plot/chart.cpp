@@ -1,0 +1,147 @@
+// The script for gnuplot: data inline, so that nothing but the picture is left behind.
+#include "chart.hpp"
+
+#include "output/atomic_file.hpp"
+#include "output/shell_command.hpp"
+#include "output/text.hpp"
+
+#include <geodrop/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include <sys/wait.h>
+
+namespace geodrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Colours that differ in lightness as well, for print and for colour-blind readers (Okabe & Ito).
+constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
+
+/// Names come from scene files, so they may hold anything.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char letter : text) {
+    if (letter == '\'') word += '\'';
+    word += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+  }
+  return word + "'";
+}
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void add(const std::vector<double>& values) {
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  /// A line of one value gets room above and below, where gnuplot would warn.
+  std::string range() const {
+    if (low > high) return "[0:1]";
+    const double margin = high > low ? 0.04 * (high - low) : std::max(std::abs(high), 1.0) * 0.5;
+    return "[" + format_number(low - margin) + ":" + format_number(high + margin) + "]";
+  }
+};
+
+std::string data_block(const std::string& name, const ChartSeries& series) {
+  std::string text = name + " << EOD\n";
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    const bool is_point = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+    text += is_point ? format_number(series.x[i]) + " " + format_number(series.y[i]) + "\n" : "NaN NaN\n";
+  }
+  return text + "EOD\n";
+}
+
+std::string style_text(SeriesStyle style, std::size_t number) {
+  const std::string colour = std::string(" linecolor rgb '") + colours[number % colours.size()] + "'";
+  if (style == SeriesStyle::points) return "with points pointtype 6 pointsize 0.4" + colour;
+  return "with lines linewidth 1.6" + colour + (style == SeriesStyle::dashed ? " dashtype 2" : "");
+}
+
+std::string panel_text(const ChartPanel& panel, std::size_t number) {
+  std::string data, plots;
+  Extent x, y;
+  for (std::size_t s = 0; s < panel.series.size(); ++s) {
+    const ChartSeries& series = panel.series[s];
+    const std::string name = "$panel" + std::to_string(number) + "_" + std::to_string(s);
+    data += data_block(name, series);
+    x.add(series.x);
+    y.add(series.y);
+    plots += (s == 0 ? "plot " : ", \\\n     ") + name + " using 1:2 " + style_text(series.style, s) +
+             (series.label.empty() ? " notitle" : " title " + quoted(series.label));
+  }
+  if (panel.series.empty()) plots = "plot NaN notitle";
+  // The line feed keeps the legend off the label.
+  return data + "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) + ".\"\\n\"" +
+         "\nset ylabel " + quoted(panel.y_label) + "\nset size ratio " + (panel.aspect == Aspect::equal ? "-1" : "0") +
+         "\nset xrange " + x.range() + "\nset yrange " + y.range() + "\n" + plots + "\n";
+}
+
+/// What a program said and how it ended.
+struct Answer {
+  std::string said;
+  int code;
+};
+
+Answer ask(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe) throw RunError("cannot start " + command);
+  Answer answer;
+  for (int letter = std::fgetc(pipe); letter != EOF; letter = std::fgetc(pipe))
+    answer.said += static_cast<char>(letter);
+  const int status = pclose(pipe);
+  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return answer;
+}
+
+/// A file that goes away with its owner.
+struct PassingFile {
+  fs::path path;
+  PassingFile(const PassingFile&) = delete;
+  PassingFile& operator=(const PassingFile&) = delete;
+  explicit PassingFile(fs::path at) : path(std::move(at)) {}
+  ~PassingFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
+}  // namespace
+
+std::string gnuplot_script(const Chart& chart, const fs::path& file) {
+  constexpr int panel_width = 720, panel_height = 480;  // [px]
+  const int panels = static_cast<int>(chart.panels.size()), columns = std::clamp(chart.columns, 1, std::max(panels, 1));
+  const int rows = std::max(1, (panels + columns - 1) / columns);
+  const std::string size = std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
+  const std::string terminal = file.string().ends_with(".png") ? "pngcairo" : "svg";
+  std::string text = "set encoding utf8\nset terminal " + terminal + " noenhanced size " + size +
+                     " font 'sans,12' background rgb 'white'\nset output " + quoted(file.string()) +
+                     "\nset grid linetype 1 linewidth 0.5 linecolor rgb '#d0d0d0'\nset key below samplen "
+                     "2\nset multiplot layout " +
+                     std::to_string(rows) + "," + std::to_string(columns) + " title " + quoted(chart.title) + "\n";
+  for (std::size_t p = 0; p < chart.panels.size(); ++p) text += panel_text(chart.panels[p], p);
+  return text + "unset multiplot\nunset output\n";
+}
+
+void write_chart(const Chart& chart, const fs::path& relative) {
+  const fs::path file = fs::absolute(relative);  // no name that gnuplot could take for an option
+  const PassingFile script(file.string() + ".gnuplot"), picture(file.string() + ".part" + file.extension().string());
+  write_file_atomically(script.path, gnuplot_script(chart, picture.path));
+  const Answer answer = ask("gnuplot " + shell_word(script.path.string()) + " 2>&1");
+  constexpr int not_found = 127;  // the shell's word for it
+  if (answer.code == not_found)
+    throw RunError("cannot draw " + file.string() + ": gnuplot is not installed (Debian: gnuplot-nox)");
+  if (answer.code != 0 || !fs::exists(picture.path))
+    throw RunError("gnuplot could not draw " + file.string() + ": " + answer.said);
+  fs::rename(picture.path, file);
+}
+
+}  // namespace geodrop

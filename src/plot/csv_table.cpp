@@ -1,0 +1,57 @@
+#include "csv_table.hpp"
+
+#include <geodrop/error.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+namespace geodrop {
+namespace {
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> list{""};
+  for (const char letter : line) {
+    if (letter == ',')
+      list.emplace_back();
+    else if (letter != '\r')
+      list.back() += letter;
+  }
+  return list;
+}
+
+}  // namespace
+
+const std::vector<double>& CsvTable::column(const std::string& name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw SceneError(file, {{{1, 1}, "", "no column " + name, "a table with this column", ProblemSource::elsewhere}});
+  return columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+CsvTable read_csv(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  CsvTable table{cells(line), {}, path.string()};
+  table.columns.resize(table.names.size());
+  for (int number = 2; std::getline(file, line); ++number) {
+    const auto refuse = [&, row = number](std::size_t column, const std::string& found, const std::string& allowed) {
+      throw SceneError(path.string(),
+                       {{{row, static_cast<int>(column) + 1}, "", found, allowed, ProblemSource::elsewhere}});
+    };
+    const std::vector<std::string> row = cells(line);
+    if (row.size() != table.names.size())
+      refuse(0, std::to_string(row.size()) + " cells", std::to_string(table.names.size()) + ", as the header has");
+    std::size_t position = 0;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      char* end = nullptr;
+      table.columns[c].push_back(std::strtod(row[c].c_str(), &end));
+      if (row[c].empty() || *end != '\0') refuse(position, "\"" + row[c] + "\"", "a number");
+      position += row[c].size() + 1;
+    }
+  }
+  return table;
+}
+
+}  // namespace geodrop

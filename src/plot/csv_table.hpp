@@ -1,0 +1,23 @@
+// A table of numbers as the program writes them: a header of names, then rows.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+struct CsvTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;  ///< as many as names, all of one length
+
+  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  /// Throws SceneError if there is no such column.
+  const std::vector<double>& column(const std::string& name) const;
+  std::string file = {};  ///< for messages
+};
+
+/// Throws SceneError with line and column where a cell is no number, or a row is not as wide as the header.
+CsvTable read_csv(const std::filesystem::path& file);
+
+}  // namespace geodrop
