@@ -54,14 +54,6 @@ struct MembraneMeasures {
 template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane);
 
-/// Size, tension and pressures of a closed membrane full of fluid.
-struct GeotubeMeasures {
-  double height = 0, width = 0;                  ///< of the membrane [m]
-  double pressure_bottom = 0, pressure_top = 0;  ///< of the fluid within a cell of its ends, carried on to them by its
-                                                 ///< weight; over the air outside [Pa]
-};
-GeotubeMeasures measure_geotube(const Scene& scene, const State<2>& state, const std::string& membrane);
-
 /// Energies [J], mass [kg], momentum [kg m/s] of everything, per metre of depth in 2D.
 template <int Dim>
 struct Totals {

@@ -42,6 +42,10 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
 template <int Dim>
 void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid);
 
+/// Whether a run has nothing more to do: its time is over, or it has come to rest and no pump is still to run.
+template <int Dim>
+bool is_over(const Scene& scene, const State<Dim>& state);
+
 /// What is worth knowing of a state before the next step: sizes, memory, time step, Skempton's B, density rise of
 /// fluids.
 template <int Dim>

@@ -297,6 +297,8 @@ struct ExactProbeSpec {
 struct GeotubeProbeSpec {
   std::string name;
   std::string membrane;
+  std::string water;       ///< material of the water outside; empty: dry
+  double water_level = 0;  ///< of that over the tube's lowest point [m]
   bool operator==(const GeotubeProbeSpec&) const = default;
 };
 struct ProbeSpec {

@@ -1,4 +1,4 @@
-// history.csv to one picture with a panel for each kind of column.
+// history.csv to one picture with a panel for each kind of column; each geotube probe to one beside the exact tube.
 #include "plot.hpp"
 
 #include "plot/chart.hpp"
@@ -7,6 +7,7 @@
 #include <geodrop/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <vector>
@@ -66,6 +67,45 @@ Chart history_chart(const CsvTable& table, const std::string& title) {
   return chart;
 }
 
+/// Simulated and exact outline, pressure against height, tension along the membrane of the geotube of one probe.
+Chart geotube_chart(const std::filesystem::path& directory, const std::string& stem) {
+  const auto table = [&](const std::string& which) { return read_csv(directory / (stem + "_" + which + ".csv")); };
+  const auto half_turn = [](const CsvTable& outline) {  // length along the membrane
+    std::vector<double> s{0.0};
+    const auto &x = outline.column("x_m"), &y = outline.column("y_m");
+    for (std::size_t k = 1; k < x.size(); ++k) s.push_back(s.back() + std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]));
+    return s;
+  };
+  const CsvTable outline = table("outline"), pressure = table("pressure");
+  ChartPanel shape{"Outline", "x [m]", "y [m]", {}, Aspect::equal};
+  ChartPanel pressures{"Pressure of the fill", "pressure [Pa]", "y [m]", {}};
+  ChartPanel tension{"Tension", "along the membrane [m]", "tension [N/m]", {}};
+  shape.series.push_back({"simulated", outline.column("x_m"), outline.column("y_m")});
+  pressures.series.push_back(
+      {"particles", pressure.column("pressure_Pa"), pressure.column("height_m"), SeriesStyle::points});
+  tension.series.push_back({"simulated", half_turn(outline), outline.column("tension_N_m")});
+  if (std::filesystem::exists(directory / (stem + "_exact.csv"))) {
+    const CsvTable exact = table("exact");
+    shape.series.push_back({"exact", exact.column("x_m"), exact.column("y_m"), SeriesStyle::dashed});
+    pressures.series.push_back({"exact", exact.column("pressure_Pa"), exact.column("y_m"), SeriesStyle::dashed});
+    tension.series.push_back({"exact", half_turn(exact), exact.column("tension_N_m"), SeriesStyle::dashed});
+  }
+  return {directory.string(), {shape, pressures, tension}, 2};
+}
+
+/// What the geotube probes of a run have left, as "geotube_PROBE".
+std::vector<std::string> geotube_stems(const std::filesystem::path& directory) {
+  const std::string ending = "_outline.csv";
+  std::vector<std::string> stems;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("geotube_") && name.ends_with(ending))
+      stems.push_back(name.substr(0, name.size() - ending.size()));
+  }
+  std::sort(stems.begin(), stems.end());
+  return stems;
+}
+
 }  // namespace
 
 void add_plot_options(CLI::App& command, PlotArguments& arguments) {
@@ -83,9 +123,13 @@ int run_plot(const PlotArguments& arguments) {
   if (table.rows() == 0) refuse("no row of numbers");
   const Chart chart = history_chart(table, directory.string());
   if (chart.panels.empty()) refuse("no column that is drawn");
-  const std::filesystem::path picture = directory / ("history." + arguments.format);
-  write_chart(chart, picture);
-  std::cout << picture.string() << '\n';
+  const auto draw = [&](const Chart& one, const std::string& stem) {
+    const std::filesystem::path picture = directory / (stem + "." + arguments.format);
+    write_chart(one, picture);
+    std::cout << picture.string() << '\n';
+  };
+  draw(chart, "history");
+  for (const std::string& stem : geotube_stems(directory)) draw(geotube_chart(directory, stem), stem);
   return 0;
 }
 

@@ -37,10 +37,12 @@ template <class Part>
 auto members(Part& part) {
   using Plain = std::remove_const_t<Part>;
   if constexpr (is_body<Plain>) {
-    auto& [name, material_name, material, pressure, shift, shift_speed, half_size, enclosed, unit_weight, weightless_level, x, v, affine, mass, J, stress,
-           deformation, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin] = part;
-    return std::tie(name, material_name, material, pressure, shift, shift_speed, half_size, enclosed, unit_weight, weightless_level, x, v, affine, mass, J,
-                    stress, deformation, pore_pressure, deviatoric_strain, id, initial_x, layer, slab_begin);
+    auto& [name, material_name, material, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
+           weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, id,
+           initial_x, layer, slab_begin] = part;
+    return std::tie(name, material_name, material, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
+                    weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, id,
+                    initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
            strain, tension, tension_peak, load] = part;

@@ -8,6 +8,7 @@
 #include <geodrop/history.hpp>
 #include <numbers>
 
+#include "geotube_probe.hpp"
 #include "text.hpp"
 
 namespace geodrop {
@@ -118,15 +119,6 @@ void list_pressure_error(Row& row, const std::string& name, const PressureError&
   row.add(name + ".pressure_error_max_Pa", error.max);
 }
 
-void list_geotube(Row& row, const std::string& name, const GeotubeMeasures& tube, const MembraneMeasures<2>& membrane) {
-  row.add(name + ".height_m", tube.height);
-  row.add(name + ".width_m", tube.width);
-  row.add(name + ".tension_mean_N_m", membrane.tension_mean);
-  row.add(name + ".tension_std_N_m", membrane.tension_deviation);
-  row.add(name + ".pressure_bottom_Pa", tube.pressure_bottom);
-  row.add(name + ".pressure_top_Pa", tube.pressure_top);
-}
-
 /// The columns that the solution tells something about.
 void list_exact_error(Row& row, const std::string& name, const ExactSpec& spec, const ExactError& error) {
   row.add(name + ".velocity_error_rms_ratio", error.velocity_rms);
@@ -183,8 +175,8 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
       list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
     if constexpr (Dim == 2)
       if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
-        list_geotube(row, probe->name, state ? measure_geotube(scene, *state, probe->membrane) : GeotubeMeasures{},
-                     state ? measure(find_named(state->membranes, probe->membrane)) : MembraneMeasures<2>{});
+        for (const auto& [name, value] : geotube_columns(scene, *probe, state))
+          row.add(probe->name + "." + name, value);
     if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
       list_exact_error(row, probe->name, *find_exact(scene, probe->body),
                        state ? exact_error(scene, *state, find_named(state->bodies, probe->body)) : ExactError{});

@@ -209,34 +209,6 @@ MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
   return measures;
 }
 
-GeotubeMeasures measure_geotube(const Scene& scene, const State<2>& state, const std::string& name) {
-  const auto is_named = [&](const auto& item) { return item.name == name; };
-  const Membrane<2>& membrane = *std::find_if(state.membranes.begin(), state.membranes.end(), is_named);
-  const auto is_inside = [&](const auto& item) { return item.name == membrane.body; };
-  const Body<2>& fill = *std::find_if(state.bodies.begin(), state.bodies.end(), is_inside);
-  const MembraneMeasures<2> outer = measure(membrane);
-  const double unit_weight = -scene.gravity[1] * reference_density(fill.material), near = scene.grid.spacing;
-  const auto pressure_at = [&](double end) {
-    struct Sums {
-      double volume = 0, pressure = 0;
-      Sums& operator+=(const Sums& other) {
-        volume += other.volume;
-        pressure += other.pressure;
-        return *this;
-      }
-    };
-    const Sums sums = fixed_order_sum<Sums>(fill.size(), [&](Sums& part, std::size_t p) {
-      const double above = fill.x[1][p] - end, volume = fill.volume(p);
-      if (std::abs(above) > near) return;
-      part.volume += volume;
-      part.pressure += volume * (mean_pressure(fill, p) + unit_weight * above);
-    });
-    return sums.volume > 0 ? sums.pressure / sums.volume : not_there;
-  };
-  return {outer.upper[1] - outer.lower[1], outer.upper[0] - outer.lower[0], pressure_at(outer.lower[1]),
-          pressure_at(outer.upper[1])};
-}
-
 template double mean_pressure(const Body<2>&, std::size_t);
 template double mean_pressure(const Body<3>&, std::size_t);
 template std::array<double, 4> total_stress(const Body<2>&, std::size_t);

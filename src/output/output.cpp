@@ -2,12 +2,14 @@
 #include <geodrop/checkpoint.hpp>
 #include <geodrop/error.hpp>
 #include <geodrop/output.hpp>
+#include <geodrop/pipeline.hpp>
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
 #include "atomic_file.hpp"
 #include "console.hpp"
 #include "frame_writer.hpp"
+#include "geotube_probe.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
 #include "summary.hpp"
@@ -234,6 +236,10 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop)
   RunStatistics statistics = of_step_loop;
   if (statistics.status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
   write_last_frame(frame, statistics.status);
+  if constexpr (Dim == 2)
+    for (const ProbeSpec& spec : parts.scene.probes)
+      if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
+        write_geotube_profile(parts.scene, *probe, *frame, directory());
   for (const Fact& fact : membrane_peaks(parts.scene, parts.history)) statistics.facts.push_back(fact);
 
   Summary summary;
@@ -244,7 +250,7 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop)
   const RunIdentity run{parts.options.threads, frame->step, frame->t, parts.particles};
   write_file_atomically(directory() / "summary.json", summary_json(parts.scene, run, statistics, summary));
   // What a finished run was resumed from is of no use any more: it would only repeat the same end.
-  if (statistics.status == RunStatus::done && frame->t >= parts.scene.time.end)
+  if (statistics.status == RunStatus::done && is_over(parts.scene, *frame))
     std::filesystem::remove(directory() / checkpoint_name);
   print_end(frame, statistics, summary);
   return summary;

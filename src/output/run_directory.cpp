@@ -32,6 +32,11 @@ std::optional<std::size_t> frame_number(std::string_view name) {
   return std::nullopt;
 }
 
+/// Profiles of geotube probes and their pictures.
+bool is_profile(std::string_view name) {
+  return name.starts_with("geotube_") && (name.ends_with(".csv") || name.ends_with(".svg") || name.ends_with(".png"));
+}
+
 /// Every run begins its log with the program's name, before it writes anything else.
 bool is_run_directory(const fs::path& directory) {
   std::ifstream log(directory / "run.log");
@@ -79,7 +84,8 @@ std::size_t prepare_directory(const fs::path& directory) {
   return remove_files(directory, [](std::string name) {
     constexpr std::string_view unfinished = ".part";  // of a run that was killed while it wrote
     if (name.ends_with(unfinished)) name.resize(name.size() - unfinished.size());
-    return frame_number(name) || std::find(run_files.begin(), run_files.end(), name) != run_files.end();
+    return frame_number(name) || is_profile(name) ||
+           std::find(run_files.begin(), run_files.end(), name) != run_files.end();
   });
 }
 

@@ -28,6 +28,4 @@ void measure_balance(const Point& gravity, double dt, State<Dim>& state, const G
 template <int Dim>
 void damp_kinetically(const RelaxationSpec& spec, const Point& gravity, State<Dim>& state);
 
-inline bool at_rest(const Relaxation& relaxation) { return relaxation.cycles_at_rest >= cycles_to_rest; }
-
 }  // namespace geodrop

@@ -4,8 +4,6 @@
 #include <geodrop/run.hpp>
 #include <geodrop/stop_signal.hpp>
 
-#include "relaxation.hpp"
-
 #include <algorithm>
 #include <chrono>
 
@@ -19,13 +17,6 @@ void write_due_output(Output<Dim>& output, State<Dim>& state) {
     for (Membrane<Dim>& membrane : state.membranes) membrane.tension_peak = 0;
   }
   if (output.frame_due(state.t)) output.write_frame(Frame<Dim>(state));
-}
-
-/// At rest, with no pump still to run.
-template <int Dim>
-bool is_over(const Scene& scene, const State<Dim>& state) {
-  return at_rest(state.relaxation) &&
-         std::all_of(scene.pumps.begin(), scene.pumps.end(), [&](const PumpSpec& pump) { return state.t >= pump.to; });
 }
 
 /// Steps until `end` or a stop signal. On a broken run the status says failed; the state is as the break left it.

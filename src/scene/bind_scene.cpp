@@ -191,7 +191,8 @@ ProbeSpec bind_probe(const Fields& f, SourceRef at) {
   if (f.text("type") == "hydrostatic") {
     return {HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}}, at};
   }
-  if (f.text("type") == "geotube") return {GeotubeProbeSpec{f.text("name"), f.text("membrane")}, at};
+  if (f.text("type") == "geotube")
+    return {GeotubeProbeSpec{f.text("name"), f.text("membrane"), f.text("water"), f.real("water_level")}, at};
   return {TracerSpec{f.text("name"), f.point("position")}, at};
 }
 

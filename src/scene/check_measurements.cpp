@@ -67,6 +67,7 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
   }
   if (const auto* tube = std::get_if<GeotubeProbeSpec>(&probe.probe)) {
     check_reference(key + ".membrane", tube->membrane, names_of(scene.membranes), "membranes", report);
+    if (!tube->water.empty()) check_fluid(scene, key + ".water", tube->water, report);
     return;
   }
   const auto& tracer = std::get<TracerSpec>(probe.probe);

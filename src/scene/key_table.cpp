@@ -246,6 +246,9 @@ constexpr Key keys[] = {
     {"probes", "position", point, "m", "type=tracer", required, any, "where the point starts"},
     {"probes", "body", name, "", "type=hydrostatic|exact", required, reference, "whose particles are compared"},
     {"probes", "membrane", name, "", "type=geotube", required, reference, "the closed membrane"},
+    {"probes", "outside", choice, "", "type=geotube", standard("\"air\""), words("air|water"), "what stands around the tube of the closed form"},
+    {"probes", "water", name, "", "outside=water", required, reference, "the newtonian material of that water"},
+    {"probes", "water_level", real, "m", "outside=water", required, positive, "its level over the ground"},
     {"probes", "fluid", name, "", "type=hydrostatic", required, reference, "the newtonian material of the still fluid"},
     {"probes", "surface", real, "m", "type=hydrostatic", required, any, "level of the fluid's free surface"},
 
