@@ -98,7 +98,10 @@ std::vector<std::pair<std::string, double>> geotube_columns(const Scene& scene, 
           {"exact_width_m", of_exact(&Geotube::width)},
           {"exact_tension_N_m", of_exact(&Geotube::tension)},
           {"exact_pressure_bottom_Pa", of_exact(&Geotube::fill_pressure_bottom)},
-          {"exact_pressure_top_Pa", of_exact(&Geotube::fill_pressure_top)}};
+          {"exact_pressure_top_Pa", of_exact(&Geotube::fill_pressure_top)},
+          {"height_error_ratio", (now.upper[1] - now.lower[1]) / of_exact(&Geotube::height) - 1},
+          {"width_error_ratio", (now.upper[0] - now.lower[0]) / of_exact(&Geotube::width) - 1},
+          {"tension_error_ratio", now.tension_mean / of_exact(&Geotube::tension) - 1}};
 }
 
 void write_geotube_profile(const Scene& scene, const GeotubeProbeSpec& probe, const State<2>& state,

@@ -73,7 +73,7 @@ void damp_kinetically(const RelaxationSpec& spec, const Point& gravity, State<Di
   if (r.kinetic >= before) return;
   stop_all(state);
   if (r.steps < shortest_cycle) return;
-  const double work = r.initial_potential - measure(state, gravity).potential;
+  const double work = std::abs(r.initial_potential - measure(state, gravity).potential);
   r.kinetic_ratio = r.kinetic_largest / work;
   r.out_of_balance_ratio = r.out_of_balance_largest;
   const bool met =

@@ -1,7 +1,7 @@
 // Dynamic relaxation to a state at rest by kinetic damping (Cundall 1976; Barnes 1999): whenever the kinetic energy has
 // passed a peak, every velocity is set to zero. From one peak to the next is a cycle.
 //
-//   kinetic ratio          largest kinetic energy of a cycle over the work that gravity has done since the start
+//   kinetic ratio          largest kinetic energy of a cycle over the amount of work by gravity since the start
 //   out-of-balance ratio   largest |f_ext + f_int| / |f_ext| of a cycle, norms over the free components of all nodes,
 //                          f_ext = m g
 //
