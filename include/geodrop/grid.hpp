@@ -97,10 +97,10 @@ using FaceMoments = std::array<double, 3>;
 
 /// The cells of a fluid inside a closed membrane (2D), see enclosed/. Local cells i + j nx of a box.
 struct EnclosedCells {
-  /// A piece of an edge of the membrane, with the shares of the edge's ends in it: int (1 - t) dt, int t dt.
+  /// The part of an edge of the membrane in a cell, from and to as shares of the edge.
   struct Piece {
     int cell, edge;
-    double start_share, end_share;
+    double from, to;
   };
   std::array<int, 2> first{}, count{};      ///< lowest stored cell of the box, cells per axis
   double sense = 1;                         ///< 1: the nodes run anticlockwise, -1: clockwise

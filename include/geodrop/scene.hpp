@@ -211,6 +211,14 @@ struct ContactSpec {
   bool operator==(const ContactSpec&) const = default;
 };
 
+/// Fluid at rest outside of a closed membrane: its pressure acts on the membrane, nothing moves it.
+struct StillFluidSpec {
+  std::string membrane;
+  std::string fluid;   ///< material name of a Newtonian fluid
+  double surface = 0;  ///< level of its surface [m]
+  SourceRef at;
+  bool operator==(const StillFluidSpec&) const = default;
+};
 /// Fluid that is pumped into a body while from <= t < to: its rest volume grows.
 struct PumpSpec {
   std::string body;
@@ -353,6 +361,7 @@ struct Scene {
   std::vector<MembraneSpec> membranes;
   std::vector<RigidSpec> rigid;
   std::vector<ContactSpec> contacts;
+  std::vector<StillFluidSpec> still_fluids;
   std::vector<PumpSpec> pumps;
   std::vector<ExactSpec> exact;
   std::vector<ProbeSpec> probes;

@@ -68,7 +68,7 @@ void add_edge(const Edge& edge, int number, double sign, std::vector<double>& cu
     cells.area[cell] += sign * (xi + middle * edge.du + 0.5) * (to - from) * edge.dv;
     add(sign, moments_between(eta + from * edge.dv, eta + to * edge.dv), cells.right_face[cell]);
     add(-sign, moments_between(xi + from * edge.du, xi + to * edge.du), cells.top_face[cell]);
-    cells.pieces.push_back({cell, number, to - from - (to * to - from * from) / 2, (to * to - from * from) / 2});
+    cells.pieces.push_back({cell, number, from, to});
   }
 }
 

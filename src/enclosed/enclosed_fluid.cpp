@@ -5,6 +5,7 @@
 
 #include "../kernels/kernels.hpp"
 #include "../kernels/slabs.hpp"
+#include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
 #include "cut_cells.hpp"
 
@@ -158,8 +159,9 @@ Array<double> outflow(const Body<2>& body, const Membrane<2>& membrane, const Gr
   for (const EnclosedCells::Piece& piece : cells.pieces) {
     const std::size_t k = piece.edge, next = k + 1 == membrane.nodes() ? 0 : k + 1;
     const double normal[] = {cells.sense * (y[next] - y[k]), cells.sense * (x[k] - x[next])};
-    for (int a = 0; a < 2; ++a)
-      flow[piece.cell] += normal[a] * (piece.start_share * v[a][k] + piece.end_share * v[a][next]);
+    const double of_end = 0.5 * (piece.to * piece.to - piece.from * piece.from),
+                 of_start = piece.to - piece.from - of_end;
+    for (int a = 0; a < 2; ++a) flow[piece.cell] += normal[a] * (of_start * v[a][k] + of_end * v[a][next]);
   }
   return flow;
 }
@@ -182,25 +184,14 @@ void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
 template <>
 void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
   for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells& cells) {
-    const auto& [x, y] = membrane.x;
-    const auto add = [&](std::size_t k, std::size_t next, double at_start, double at_end) {
-      const double normal[] = {cells.sense * (y[next] - y[k]), cells.sense * (x[k] - x[next])};
-      for (int a = 0; a < 2; ++a) {
-        membrane.load[a][k] += at_start * normal[a];
-        membrane.load[a][next] += at_end * normal[a];
-      }
-    };
     for (const EnclosedCells::Piece& piece : cells.pieces) {
-      const std::size_t k = piece.edge, next = k + 1 == membrane.nodes() ? 0 : k + 1;
       const double pressure = cells.pressure[cells.host[piece.cell]];
-      add(k, next, pressure * piece.start_share, pressure * piece.end_share);
+      add_pressure({piece.from, piece.to, pressure, pressure}, cells.sense, piece.edge, membrane);
     }
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      const std::size_t next = k + 1 == membrane.nodes() ? 0 : k + 1;
-      const double here = body.unit_weight * (body.weightless_level - y[k]);
-      const double there = body.unit_weight * (body.weightless_level - y[next]);
-      add(k, next, here / 3 + there / 6, here / 6 + there / 3);
-    }
+    const Array<double>& y = membrane.x[1];
+    const auto weight = [&](std::size_t k) { return body.unit_weight * (body.weightless_level - y[k]); };
+    for (std::size_t k = 0; k < membrane.nodes(); ++k)
+      add_pressure({0, 1, weight(k), weight(k + 1 == membrane.nodes() ? 0 : k + 1)}, cells.sense, k, membrane);
   });
 }
 

@@ -74,6 +74,14 @@ struct PointSupport {
   }
 };
 
+/// The coordinate, or the wall that round-off carried it across.
+template <int Dim>
+double back_on_grid(const GridLayout<Dim>& layout, int axis, double x) {
+  const double round_off = 1e-9 * layout.h, lower = layout.lower[axis], upper = layout.upper[axis];
+  const bool near = x > lower - round_off && x < upper + round_off;
+  return near ? std::clamp(x, lower, upper) : x;
+}
+
 /// What moves with the grid must stay on it.
 template <int Dim>
 void check_on_grid(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, const char* kind,
@@ -156,9 +164,8 @@ void update_tension(Membrane<Dim>& membrane) {
     for_box(membrane, s, [&](std::size_t other, double weight) { mean += weight * raw[other]; });
     membrane.strain[s] = mean;
     const double pull = std::max(0.0, membrane.axial_stiffness * mean) * membrane.rest_length[s];
-    for_box(membrane, s, [&](std::size_t r, double weight) {
-      membrane.tension[r] += weight * pull / membrane.rest_length[r];
-    });
+    for_box(membrane, s,
+            [&](std::size_t r, double weight) { membrane.tension[r] += weight * pull / membrane.rest_length[r]; });
   }
   for (const double tension : membrane.tension) membrane.tension_peak = std::max(membrane.tension_peak, tension);
 }
@@ -238,7 +245,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       for (int a = 0; a < Dim; ++a) {
-        membrane.x[a][k] += dt * v[a];
+        membrane.x[a][k] = back_on_grid(grid.layout, a, membrane.x[a][k] + dt * v[a]);
         displacement = std::max(displacement, std::abs(dt * v[a]));
       }
       check_on_grid<Dim>(grid.layout, node_position(membrane, k), "a node of membrane", membrane.name);

@@ -11,6 +11,7 @@
 #include "../grid/momentum.hpp"
 #include "../grid/sort_particles.hpp"
 #include "../kernels/transfer_stages.hpp"
+#include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
 #include "pumps.hpp"
 #include "relaxation.hpp"
@@ -41,7 +42,8 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
   const bool membranes = !scene.membranes.empty();
   const bool enclosed = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::enclosed; });
-  const bool loads = enclosed || !scene.contacts.empty();
+  const bool loads = enclosed || !scene.contacts.empty() || !scene.still_fluids.empty();
+  const Scene still = scene.still_fluids.empty() ? Scene{} : scene;
   const std::vector<PumpSpec> pumps = scene.pumps;
   const RelaxationSpec relaxation = scene.relaxation;
   const bool relaxes = relaxation.damping == RelaxationSpec::Damping::kinetic;
@@ -64,7 +66,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(enclosed,      "enclosed_cells",    "volume, membrane nodes -> cut cells, their pressure",       [](S& s, G& g, const C&) { update_enclosed_cells(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
-  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [](S& s, G& g, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_fluid_loads(s, g); });
+  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [still](S& s, G& g, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_fluid_loads(s, g); if (!still.still_fluids.empty()) add_still_fluids(still, s); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });

@@ -173,6 +173,10 @@ ContactSpec bind_contact(const Fields& f, SourceRef at) {
   return {between[0], between[1], f.real("friction"), f.real("stiffness"), at};
 }
 
+StillFluidSpec bind_still_fluid(const Fields& f, SourceRef at) {
+  return {f.text("membrane"), f.text("fluid"), f.real("surface"), at};
+}
+
 PumpSpec bind_pump(const Fields& f, SourceRef at) {
   return {f.text("body"), f.real("rate"), f.real("from"), f.real("to"), at};
 }
@@ -280,6 +284,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.membranes = bind_list(complete, report, "membranes", bind_membrane);
   scene.rigid = bind_list(complete, report, "rigid", bind_rigid);
   scene.contacts = bind_list(complete, report, "contacts", bind_contact);
+  scene.still_fluids = bind_list(complete, report, "still_fluids", bind_still_fluid);
   scene.pumps = bind_list(complete, report, "pumps", bind_pump);
   scene.exact = bind_list(complete, report, "exact", bind_exact);
   scene.probes = bind_list(complete, report, "probes", bind_probe);

@@ -66,6 +66,20 @@ void check_contacts(const Scene& scene, Report& report) {
   }
 }
 
+void check_still_fluids(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.still_fluids.size(); ++i) {
+    const StillFluidSpec& still = scene.still_fluids[i];
+    const std::string& key = report.element("still_fluids", i);
+    check_fluid(scene, key + ".fluid", still.fluid, report);
+    if (check_reference(key + ".membrane", still.membrane, names_of(scene.membranes), "membranes", report) &&
+        !find_in(scene.membranes, still.membrane)->closed)
+      report.add(key + ".membrane", '"' + still.membrane + "\", which is open", "a closed membrane");
+    if (report.healthy("gravity") && report.healthy("dimension") && scene.gravity[0] != 0)
+      report.add(key + ".surface", "a level, with gravity " + to_text(scene.gravity),
+                 "still fluids with gravity along the vertical axis");
+  }
+}
+
 void check_pumps(const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.pumps.size(); ++i) {
     const PumpSpec& pump = scene.pumps[i];

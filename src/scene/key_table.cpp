@@ -76,6 +76,9 @@ constexpr Section sections[] = {
     {"rigid.shape", "shape of a rigid body", "", "An inline table."},
     {"contacts", "[[contacts]]", "",
      "Surface contact of a membrane's nodes with a rigid body: penalty normal to it, Coulomb friction along it."},
+    {"still_fluids", "[[still_fluids]]", "membrane",
+     "Still water in a basin so large that a tube does not move it: its pressure, gamma times depth, acts on a closed "
+     "membrane from outside, also where that lies on the ground. A body of water that moves is one of `bodies`."},
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
@@ -105,6 +108,7 @@ constexpr Key keys[] = {
     {"", "membranes", table_list, "", "", standard("[]"), maybe_none, "geotextiles", 2},
     {"", "rigid", table_list, "", "", standard("[]"), maybe_none, "rigid ground and walls", 2},
     {"", "contacts", table_list, "", "", standard("[]"), maybe_none, "what touches what", 2},
+    {"", "still_fluids", table_list, "", "", standard("[]"), maybe_none, "still water around membranes", 2},
     {"", "pumps", table_list, "", "", standard("[]"), maybe_none, "fluid that is pumped in"},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
@@ -224,6 +228,10 @@ constexpr Key keys[] = {
     {"contacts", "between", names, "", "", required, reference, "a membrane and a rigid body"},
     {"contacts", "friction", real, "", "", required, not_negative, "coefficient of Coulomb friction"},
     {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body behind the membrane, h the cell"},
+
+    {"still_fluids", "membrane", name, "", "", required, reference, "the closed membrane that it presses on"},
+    {"still_fluids", "fluid", name, "", "", required, reference, "the newtonian material of the fluid"},
+    {"still_fluids", "surface", real, "m", "", required, any, "level of its surface"},
 
     {"pumps", "body", name, "", "", required, reference, "which body grows"},
     {"pumps", "rate", real, "m3/s", "", required, positive, "volume at zero pressure per time (2D: per metre of depth, m2/s)"},

@@ -202,6 +202,8 @@ State<Dim> build_state(const Scene& scene) {
     state.contacts.push_back(make_contact(scene, spec, state));
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   }
+  for (const StillFluidSpec& spec : scene.still_fluids)
+    allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   enclose_fluids(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);

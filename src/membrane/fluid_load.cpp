@@ -1,0 +1,70 @@
+#include "fluid_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodrop {
+namespace {
+
+std::size_t end_of(const Membrane<2>& membrane, std::size_t k) { return k + 1 == membrane.nodes() ? 0 : k + 1; }
+
+/// The part of an edge below a level, empty (from = to) if none is.
+EdgePressure wet_part(double start, double end, double surface, double unit_weight) {
+  const auto pressure = [&](double share) { return -unit_weight * (surface - (start + share * (end - start))); };
+  double from = 0, to = 1;
+  if (start > surface && end > surface) return {0, 0, 0, 0};
+  if (start > surface) from = (start - surface) / (start - end);
+  if (end > surface) to = (surface - start) / (end - start);
+  return {from, to, pressure(from), pressure(to)};
+}
+
+}  // namespace
+
+double sense_of(const Membrane<2>& membrane) {
+  const auto& [x, y] = membrane.x;
+  double twice = 0;
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    const std::size_t end = end_of(membrane, k);
+    twice += x[k] * y[end] - x[end] * y[k];
+  }
+  return twice > 0 ? 1 : -1;
+}
+
+void add_pressure(const EdgePressure& pressure, double sense, std::size_t k, Membrane<2>& membrane) {
+  const std::size_t end = end_of(membrane, k);
+  const double normal[] = {sense * (membrane.x[1][end] - membrane.x[1][k]),
+                           sense * (membrane.x[0][k] - membrane.x[0][end])};
+  const double middle = 0.5 * (pressure.from + pressure.to), width = pressure.to - pressure.from;
+  double at_start = 0, at_end = 0;
+  for (const double off : {-0.5 / std::sqrt(3.0), 0.5 / std::sqrt(3.0)}) {  // Gauss points: exact to degree 3
+    const double share = middle + off * width;
+    const double p = 0.5 * (pressure.at_from + pressure.at_to) + off * (pressure.at_to - pressure.at_from);
+    at_start += 0.5 * width * p * (1 - share);
+    at_end += 0.5 * width * p * share;
+  }
+  for (int a = 0; a < 2; ++a) {
+    membrane.load[a][k] += at_start * normal[a];
+    membrane.load[a][end] += at_end * normal[a];
+  }
+}
+
+template <>
+void add_still_fluids(const Scene& scene, State<2>& state) {
+  for (const StillFluidSpec& still : scene.still_fluids)
+    for (Membrane<2>& membrane : state.membranes) {
+      if (membrane.name != still.membrane) continue;
+      const double unit_weight =
+          -scene.gravity[1] * reference_density(make_material(*find_material(scene, still.fluid)));
+      const double sense = sense_of(membrane);
+      for (std::size_t k = 0; k < membrane.segments(); ++k) {
+        const double start = membrane.x[1][k], end = membrane.x[1][end_of(membrane, k)];
+        add_pressure(wet_part(start, end, still.surface, unit_weight), sense, k, membrane);
+      }
+    }
+}
+
+// Membranes are for the plane.
+template <>
+void add_still_fluids(const Scene&, State<3>&) {}
+
+}  // namespace geodrop
