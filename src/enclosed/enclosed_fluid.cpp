@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../grid/blocks.hpp"
 #include "../kernels/kernels.hpp"
 #include "../kernels/slabs.hpp"
 #include "../membrane/fluid_load.hpp"
@@ -166,6 +167,25 @@ Array<double> outflow(const Body<2>& body, const Membrane<2>& membrane, const Gr
   return flow;
 }
 
+/// Adds m `lift` of the enclosed fluids to the nodes.
+void take_gravity(const State<2>& state, const Grid<2>& grid, const std::array<double, 2>& lift, Array<Vec4>& target) {
+  const auto is_enclosed = [](const Body<2>& body) { return body.pressure == PressureSupport::enclosed; };
+  if (std::all_of(state.bodies.begin(), state.bodies.end(), is_enclosed)) {
+    // So far all mass on the nodes is theirs, which spares a third of a step of summing it up again.
+    for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+      for (int node = begin; node < begin + count; ++node)
+        for (int a = 0; a < 2; ++a) target[node][a] += lift[a] * grid.sum[node][3];
+    });
+    return;
+  }
+  std::array<Array<double>, 2> lifts;
+  const std::size_t n = state.particles();
+  for (int a = 0; a < 2; ++a) lifts[a].assign(n, lift[a]);
+  for_each_slab_by_colour(state, grid.layout, [&](const Body<2>& body, std::size_t begin, std::size_t end) {
+    if (is_enclosed(body)) sum_by_mass<2>(body, {pointers(lifts), 0.0}, grid.layout, target.data(), begin, end);
+  });
+}
+
 }  // namespace
 
 template <>
@@ -200,18 +220,14 @@ void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g
   const bool separate = !grid.force.empty();
   Array<Vec4>& target = separate ? grid.force : grid.sum;
   const double scale = separate ? 1.0 : dt;
-  for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, const Membrane<2>&, const EnclosedCells& cells) {
+  for_each_enclosed(state, grid.enclosed, [&](const Body<2>&, const Membrane<2>&, const EnclosedCells& cells) {
     for_each_face(grid.layout, cells, [&](const Face& face) {
       const double jump = cells.pressure[cells.host[face.below]] - cells.pressure[cells.host[face.above]];
       for (std::size_t n = 0; n < face.node.size(); ++n)
         target[face.node[n]][face.axis] += scale * jump * face.weight[n];
     });
-    std::array<Array<double>, 2> lift;
-    for (int a = 0; a < 2; ++a) lift[a].assign(body.size(), -scale * g[a]);
-    for_each_slab_by_colour(state, grid.layout, [&](const Body<2>& other, std::size_t begin, std::size_t end) {
-      if (&other == &body) sum_by_mass<2>(body, {pointers(lift), 0.0}, grid.layout, target.data(), begin, end);
-    });
   });
+  take_gravity(state, grid, {-scale * g[0], -scale * g[1]}, target);
 }
 
 template <>

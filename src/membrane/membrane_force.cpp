@@ -31,15 +31,19 @@ double length(const std::array<double, Dim>& d) {
   return std::sqrt(sum);
 }
 
-/// Calls f(other, weight) for the segments of the box around s; the box is cut at the ends of an open membrane.
-template <int Dim, class F>
-void for_box(const Membrane<Dim>& membrane, std::size_t s, F&& f) {
-  const auto n = static_cast<std::ptrdiff_t>(membrane.segments());
-  const std::ptrdiff_t w = membrane.averaging_segments, centre = static_cast<std::ptrdiff_t>(s);
-  const std::ptrdiff_t low = membrane.closed ? centre - w : std::max<std::ptrdiff_t>(0, centre - w);
-  const std::ptrdiff_t high = membrane.closed ? centre + w : std::min(n - 1, centre + w);
-  const double weight = 1.0 / static_cast<double>(high - low + 1);
-  for (std::ptrdiff_t k = low; k <= high; ++k) f(static_cast<std::size_t>(((k % n) + n) % n), weight);
+/// Sums of values over the box of segments s - w to s + w around each s; the box is cut at the ends of an open
+/// membrane. From running sums, so that wide boxes cost what narrow ones do.
+template <int Dim>
+Array<double> box_sums(const Membrane<Dim>& membrane, const Array<double>& values) {
+  const auto n = static_cast<std::ptrdiff_t>(values.size());
+  const std::ptrdiff_t w = membrane.averaging_segments;
+  Array<double> running(n + 2 * w + 1, 0.0), sums(n);
+  for (std::ptrdiff_t k = -w; k < n + w; ++k) {
+    const bool beyond = !membrane.closed && (k < 0 || k >= n);
+    running[k + w + 1] = running[k + w] + (beyond ? 0.0 : values[((k % n) + n) % n]);
+  }
+  for (std::ptrdiff_t s = 0; s < n; ++s) sums[s] = running[s + 2 * w + 1] - running[s];
+  return sums;
 }
 
 /// Weights of the nine (27) nodes around a point, and the flat index of the lowest.
@@ -156,17 +160,16 @@ std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<doub
 template <int Dim>
 void update_tension(Membrane<Dim>& membrane) {
   const std::size_t n = membrane.segments();
-  Array<double> raw(n);
+  Array<double> raw(n), pull(n);
   for (std::size_t s = 0; s < n; ++s) raw[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
-  std::fill(membrane.tension.begin(), membrane.tension.end(), 0.0);
+  const Array<double> sums = box_sums(membrane, raw), sizes = box_sums(membrane, Array<double>(n, 1.0));
   for (std::size_t s = 0; s < n; ++s) {
-    double mean = 0;
-    for_box(membrane, s, [&](std::size_t other, double weight) { mean += weight * raw[other]; });
-    membrane.strain[s] = mean;
-    const double pull = std::max(0.0, membrane.axial_stiffness * mean) * membrane.rest_length[s];
-    for_box(membrane, s,
-            [&](std::size_t r, double weight) { membrane.tension[r] += weight * pull / membrane.rest_length[r]; });
+    membrane.strain[s] = sums[s] / sizes[s];
+    const double tension = std::max(0.0, membrane.axial_stiffness * membrane.strain[s]);
+    pull[s] = tension * membrane.rest_length[s] / sizes[s];
   }
+  const Array<double> pulls = box_sums(membrane, pull);
+  for (std::size_t r = 0; r < n; ++r) membrane.tension[r] = pulls[r] / membrane.rest_length[r];
   for (const double tension : membrane.tension) membrane.tension_peak = std::max(membrane.tension_peak, tension);
 }
 

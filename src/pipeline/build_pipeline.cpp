@@ -65,10 +65,10 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
   add(enclosed,      "enclosed_cells",    "volume, membrane nodes -> cut cells, their pressure",       [](S& s, G& g, const C&) { update_enclosed_cells(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
+  add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
   add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [still](S& s, G& g, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_fluid_loads(s, g); if (!still.still_fluids.empty()) add_still_fluids(still, s); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
-  add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });
   add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S& s, G& g, const C&) { correct_mass(s, g); });
   add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, G& g, const C& c) { measure_balance(g_vector, c.dt, s, g); });
