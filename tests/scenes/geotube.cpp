@@ -1,0 +1,48 @@
+// The shipped geotubes against their exact ones: shape, tension, pressures, and what a user may trust besides.
+#include <doctest/doctest.h>
+
+#include "support/program.hpp"
+
+using namespace geodrop::test;
+
+namespace {
+
+/// All expectations of the case: exact shape within 0.2 %, tension within 1 %, pressures within 1 % of gamma H, both
+/// criteria of rest, tension the same all around within 2 %, area within 0.3 %.
+void check_all_met(const std::string& scene) {
+  const SceneRun run(scene, {}, {"--verify"});
+  CAPTURE(run.outcome().out);
+  CHECK(run.outcome().code == 0);
+  CHECK(run.outcome().out.find("yes") != std::string::npos);
+  CHECK(run.result("out_of_balance_ratio") > 0);  // measured at all
+  CHECK(run.result("tension_std_N_m") > 0);
+}
+
+}  // namespace
+
+TEST_CASE("The tube of 5.56 m2 takes the exact shape") { check_all_met("cases/geotube_556.toml"); }
+
+TEST_CASE("The nearly full tube of 6.45 m2 takes the exact shape") { check_all_met("cases/geotube_645.toml"); }
+
+TEST_CASE("The flat tube of 3.36 m2 takes the exact shape") { check_all_met("cases/geotube_336.toml"); }
+
+TEST_CASE("A tube half under water takes the exact shape") { check_all_met("cases/geotube_submerged.toml"); }
+
+TEST_CASE("A tube whose fill is one percent short is not taken for the exact one") {
+  const SceneRun run("cases/geotube_645.toml", {"bodies.fluid.shape.semi_axes=[1.69,1.2079]"}, {"--verify"});
+  CHECK(run.outcome().code == 1);
+}
+
+TEST_CASE("A tube that is pumped full follows the exact one") {
+  const SceneRun run("cases/geotube_filling.toml", {"grid.spacing=0.2"});
+  CHECK(std::abs(run.result("height_error_max_ratio")) < 0.02);  // measured in the header of the case
+  CHECK(std::abs(run.result("height_error_min_ratio")) < 0.02);
+  CHECK(run.result("area_m2") == doctest::Approx(6.45).epsilon(0.003));
+  CHECK(run.result("height_m") == doctest::Approx(2.3666).epsilon(0.005));
+}
+
+TEST_CASE("The height hardly depends on the reduced speed of sound") {
+  const SceneRun soft("cases/geotube_556.toml", {"grid.spacing=0.2"});
+  const SceneRun stiff("cases/geotube_556.toml", {"grid.spacing=0.2", "materials.fill.sound_speed=600"});
+  CHECK(soft.result("height_m") == doctest::Approx(stiff.result("height_m")).epsilon(0.001));
+}
