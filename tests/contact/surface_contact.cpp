@@ -174,6 +174,18 @@ TEST_CASE("A tube at rest on the ground weighs what it should") {
   CHECK(std::abs(force[0]) < 0.01 * force[1]);
 }
 
+TEST_CASE("A flat tube that a pump fills and lifts comes to rest, and weighs what it should") {
+  const Scene scene = read_scene(source_path("tests/scenes/tube.toml"),
+                                 {"grid.spacing=0.2", "time.end=6", "bodies.fluid.shape.semi_axes=[2.0,0.4]",
+                                  "bodies.fluid.shape.centre.1=0.4", "pumps.0.rate=1.0", "pumps.0.to=2.0"});
+  State<2> state = build_state<2>(scene);
+  const double before = weight(scene, state);
+  relax(scene, state, scene.time.end);
+  CHECK(at_rest(state.relaxation));
+  CHECK(weight(scene, state) - before == doctest::Approx(1200 * 9.81 * 1.99).epsilon(1e-9));
+  CHECK(contact_force(state)[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+}
+
 TEST_CASE("An elastic block at rest on the ground weighs what it should") {
   const Scene scene = read_scene(source_path("tests/scenes/block.toml"));
   State<2> state = build_state<2>(scene);

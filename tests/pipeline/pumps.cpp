@@ -2,6 +2,7 @@
 #include "pipeline/pumps.hpp"
 
 #include <doctest/doctest.h>
+#include <geodrop/measure.hpp>
 
 #include <numeric>
 
@@ -13,6 +14,8 @@ namespace {
 
 /// Into the pool, of water at 1000 kg/m3, while 1 s <= t < 2 s.
 const std::vector<PumpSpec> pump{{"pool", 0.25, 1.0, 2.0, {}}};
+
+const Point gravity{0.0, -10.0};
 
 State<2> with_pool() {
   State<2> state = small_state();
@@ -31,7 +34,7 @@ double mass(const Body<2>& body) { return std::accumulate(body.mass.begin(), bod
 double pumped(double t, double dt) {
   State<2> state = with_pool();
   const double before = mass(state.bodies[0]);
-  pump_fluid(pump, {dt, t, 0}, state);
+  pump_fluid(pump, gravity, {dt, t, 0}, state);
   return mass(state.bodies[0]) - before;
 }
 
@@ -40,7 +43,7 @@ double pumped(double t, double dt) {
 TEST_CASE("Mass grows at the rate; volumes and velocities stay, so pressure rises") {
   const State<2> before = with_pool();
   State<2> after = before;
-  pump_fluid(pump, {0.1, 1.2, 0}, after);
+  pump_fluid(pump, gravity, {0.1, 1.2, 0}, after);
   const Body<2>&was = before.bodies[0], &is = after.bodies[0];
   CHECK(mass(is) == doctest::Approx(5000 + 0.25 * 0.1 * 1000).epsilon(1e-14));
   for (std::size_t p = 0; p < is.size(); ++p) {
@@ -65,6 +68,16 @@ TEST_CASE("It runs between its two times, also in the steps that they cut") {
 
 TEST_CASE("Two pumps into one body add up") {
   State<2> state = with_pool();
-  pump_fluid({pump[0], pump[0]}, {0.1, 1.2, 0}, state);
+  pump_fluid({pump[0], pump[0]}, gravity, {0.1, 1.2, 0}, state);
   CHECK(mass(state.bodies[0]) == doctest::Approx(5050).epsilon(1e-14));
+}
+
+TEST_CASE("What is pumped in brings its potential with it: no work of gravity") {
+  State<2> state = with_pool();
+  state.relaxation.initial_potential = 7;
+  const double before = measure(state, gravity).potential;
+  pump_fluid(pump, gravity, {0.1, 1.2, 0}, state);
+  const double added = measure(state, gravity).potential - before;
+  CHECK(added == doctest::Approx(0.25 * 0.1 * 1000 * 10 * 0.5).epsilon(1e-12));  // the pool lies at y = 0.5 m
+  CHECK(state.relaxation.initial_potential == doctest::Approx(7 + added).epsilon(1e-12));
 }
