@@ -2,6 +2,7 @@
 #include "pipeline/relaxation.hpp"
 
 #include <doctest/doctest.h>
+#include <geodrop/pipeline.hpp>
 
 #include "support/random_particles.hpp"
 #include "support/small_state.hpp"
@@ -21,6 +22,8 @@ State<2> fallen() {
   state.relaxation.initial_potential = 2 * 10 * 4.0;
   return state;
 }
+
+bool at_rest(const Relaxation& relaxation) { return relaxation.cycles_at_rest >= cycles_to_rest; }
 
 void set_kinetic_energy(double joule, State<2>& state) { state.bodies[0].v[0][0] = std::sqrt(joule); }
 
@@ -115,6 +118,22 @@ TEST_CASE("What was lifted comes to rest as well; not at rest before any work wa
   still.relaxation.initial_potential = 2 * 10 * 3.0;
   for (int k = 0; k < 4; ++k) cycle(60, 1e-6, 0.01, still);
   CHECK_FALSE(at_rest(still.relaxation));
+}
+
+TEST_CASE("A run is over at its end, or at rest with no pump still to run") {
+  Scene scene = small_scene();  // ends at 1 s
+  State<2> state = fallen();
+  CHECK_FALSE(is_over(scene, state));
+  state.relaxation.cycles_at_rest = cycles_to_rest;
+  CHECK(is_over(scene, state));
+  scene.pumps = {{"pool", 0.1, 0.0, 0.5, {}}};
+  CHECK_FALSE(is_over(scene, state));
+  state.t = 0.5;
+  CHECK(is_over(scene, state));
+  state.relaxation.cycles_at_rest = 0;
+  CHECK_FALSE(is_over(scene, state));
+  state.t = 1;
+  CHECK(is_over(scene, state));
 }
 
 TEST_CASE("The out-of-balance ratio: norms over nodes by hand, the largest of all steps") {
