@@ -224,13 +224,13 @@ TEST_CASE("The pieces of an edge add up to it, each lies in its cell") {
   Array<double> start(polygon.size(), 0.0), end(polygon.size(), 0.0);
   for (const EnclosedCells::Piece& piece : cells.pieces) {
     const std::size_t k = piece.edge;
-    // A piece from s to t has t - s = start + end share, and (t^2 - s^2) / 2 = end share: its middle is their ratio.
-    const double middle_t = piece.end_share / (piece.start_share + piece.end_share);
+    const double middle_t = 0.5 * (piece.from + piece.to);
+    CHECK(piece.from < piece.to);
     const auto [x, y] = middle(cells, piece.cell);
     CHECK(std::abs(polygon.x[k] + middle_t * (polygon.x[polygon.next(k)] - polygon.x[k]) - x) < h / 2 + 1e-12);
     CHECK(std::abs(polygon.y[k] + middle_t * (polygon.y[polygon.next(k)] - polygon.y[k]) - y) < h / 2 + 1e-12);
-    start[k] += piece.start_share;
-    end[k] += piece.end_share;
+    start[k] += piece.to - piece.from - 0.5 * (piece.to * piece.to - piece.from * piece.from);  // int (1 - t) dt
+    end[k] += 0.5 * (piece.to * piece.to - piece.from * piece.from);
   }
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     CHECK(start[k] == doctest::Approx(0.5).epsilon(1e-12));

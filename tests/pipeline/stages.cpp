@@ -64,8 +64,8 @@ TEST_CASE("Cell pressure is a choice of the body") {
 
 TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two criteria of rest") {
   CHECK(stages("cases/geotube_556.toml", {"bodies.fluid.pressure=enclosed"}) ==
-        Names{"sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "membrane_loads",
-              "membranes_to_grid", "enclosed_force", "momentum", "out_of_balance", "enclosed_rate", "grid_to_particles",
+        Names{"sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force", "membrane_loads",
+              "membranes_to_grid", "momentum", "out_of_balance", "enclosed_rate", "grid_to_particles",
               "grid_to_membranes", "kinetic_damping"});
   const Names pumped = stages("tests/scenes/tube.toml");
   CHECK(std::count(pumped.begin(), pumped.end(), "pumps") == 1);
