@@ -94,7 +94,7 @@ struct Contact {
 struct Relaxation {
   double kinetic = 0, kinetic_largest = 0;             ///< after the last step; largest of the present cycle
   double out_of_balance_largest = 0;                   ///< of the present cycle [-]
-  double initial_potential = 0;                        ///< of gravity, at the start
+  double initial_potential = 0;                        ///< of gravity, of all mass where it came in
   double kinetic_ratio = 1, out_of_balance_ratio = 1;  ///< of the last whole cycle [-]
   std::uint64_t steps = 0;                             ///< of the present cycle
   std::uint64_t cycles = 0, cycles_at_rest = 0;        ///< so far; the latest ones in a row that met both criteria

@@ -79,7 +79,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
-  add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps](S& s, G&, const C& c) { pump_fluid(pumps, c, s); });
+  add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps, g_vector](S& s, G&, const C& c) { pump_fluid(pumps, g_vector, c, s); });
   add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, G&, const C&) { damp_kinetically(relaxation, g_vector, s); });
   // clang-format on
   return p;

@@ -53,7 +53,7 @@ void check_contacts(const Scene& scene, Report& report) {
     const std::string& key = report.element("contacts", i);
     if (!report.healthy(key + ".between")) continue;
     if (contact.rigid.empty()) {
-      report.add(key + ".between", "fewer than two names", "a membrane and a rigid body");
+      report.add(key + ".between", "another number of names than two", "a membrane and a rigid body");
       continue;
     }
     const bool known =

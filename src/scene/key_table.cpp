@@ -142,7 +142,7 @@ constexpr Key keys[] = {
     {"solver", "damping_rate", real, "1/s", "", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"},
 
     {"relaxation", "damping", choice, "", "", required, words("none|kinetic"), "kinetic: all velocities are set to zero at each peak of the kinetic energy, and the run ends once both ratios are met"},
-    {"relaxation", "kinetic_ratio", real, "", "damping=kinetic", required, positive, "kinetic energy over the work done by gravity, to be reached"},
+    {"relaxation", "kinetic_ratio", real, "", "damping=kinetic", required, positive, "kinetic energy over the work done by gravity, or against it, to be reached"},
     {"relaxation", "out_of_balance_ratio", real, "", "damping=kinetic", required, positive, "norm of the forces out of balance over that of the weight, to be reached"},
 
     {"time", "end", real, "s", "", required, positive, "simulated time"},

@@ -72,6 +72,11 @@ TEST_CASE("On graded axes: stopped by --until and resumed on other threads, the 
   check_resumed(scene, graded, "0.021");
 }
 
+TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: stopped and resumed, the same") {
+  // Stopped while the pump runs, springs of friction are stretched and a cycle of the relaxation is under way.
+  check_resumed("tests/scenes/tube.toml", {"grid.spacing=0.2", "time.end=1.0"}, "0.031");
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};

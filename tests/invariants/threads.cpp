@@ -98,3 +98,7 @@ TEST_CASE("Graded axes in space: one hash for 1, 2, 3 and 5 threads") {
                                                      "grid.refine=[{axis='y',from=0.5,to=0.7,spacing=0.0625},"
                                                      "{axis='z',from=1.8,to=2.1,spacing=0.07,growth=1.3}]"});
 }
+
+TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("tests/scenes/tube.toml", {"time.end=0.25"});
+}

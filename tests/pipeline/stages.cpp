@@ -62,6 +62,23 @@ TEST_CASE("Cell pressure is a choice of the body") {
         Names{"sort_particles", "clear_grid", "particles_to_grid", "momentum", "grid_to_particles"});
 }
 
+TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two criteria of rest") {
+  CHECK(stages("cases/geotube_556.toml", {"bodies.fluid.pressure=enclosed"}) ==
+        Names{"sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force", "membrane_loads",
+              "membranes_to_grid", "momentum", "out_of_balance", "enclosed_rate", "grid_to_particles",
+              "grid_to_membranes", "kinetic_damping"});
+  const Names pumped = stages("tests/scenes/tube.toml");
+  CHECK(std::count(pumped.begin(), pumped.end(), "pumps") == 1);
+  CHECK(std::count(pumped.begin(), pumped.end(), "kinetic_damping") == 1);
+  const Names free =
+      stages("tests/scenes/tube.toml",
+             {"relaxation.damping=none", "relaxation.kinetic_ratio=", "relaxation.out_of_balance_ratio=", "contacts=[]",
+              "bodies.fluid.pressure=cell"});
+  for (const char* name :
+       {"enclosed_cells", "membrane_loads", "enclosed_force", "out_of_balance", "enclosed_rate", "kinetic_damping"})
+    CHECK(std::count(free.begin(), free.end(), name) == 0);
+}
+
 TEST_CASE("Grid arrays of features that a case does not use have length zero") {
   const Grid<2> column = make_grid<2>(read_scene(source_path("cases/gravity_column.toml")));
   CHECK(column.cell_volume.empty());
@@ -70,6 +87,11 @@ TEST_CASE("Grid arrays of features that a case does not use have length zero") {
   CHECK(column.cell_flags.empty());
   CHECK_FALSE(column.velocity_change.empty());  // blend
   CHECK(column.mass_correction.empty());
+  CHECK(column.enclosed.empty());
+  const Grid<2> tube = make_grid<2>(read_scene(source_path("tests/scenes/tube.toml")));
+  CHECK(tube.enclosed.size() == 1);
+  CHECK(tube.cell_pressure.empty());
+  CHECK_FALSE(tube.velocity_change.empty());  // relaxation
   const Grid<2> still = make_grid<2>(read_scene(source_path("cases/hydrostatic_column.toml")));
   CHECK(still.force.empty());
   CHECK(still.velocity_change.empty());  // tpic

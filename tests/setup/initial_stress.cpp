@@ -120,3 +120,26 @@ TEST_CASE("A bag at the fluid's pressure: isotropic, in the skeleton if drained,
     }
   }
 }
+
+TEST_CASE("An enclosed fluid starts from the pressure that the scene tells, its weight taken apart or not") {
+  const std::string tube = source_path("tests/scenes/tube.toml");
+  const State<2> zero = build_state<2>(read_scene(tube));
+  for (std::size_t p = 0; p < zero.bodies[0].size(); ++p) CHECK(std::abs(mean_pressure(zero.bodies[0], p)) < 1e-8);
+  const Scene scene = read_scene(tube, {"bodies.fluid.initial_stress={type='hydrostatic',fluid='slurry',surface=2.0}"});
+  const State<2> still = build_state<2>(scene);
+  const Body<2>& fluid = still.bodies[0];
+  REQUIRE(fluid.size() > 1000);
+  constexpr double K = 1200.0 * 100 * 100;
+  double highest = 0;
+  for (std::size_t p = 0; p < fluid.size(); ++p) {
+    const double depth = 2 - fluid.x[1][p];
+    CHECK(mean_pressure(fluid, p) == doctest::Approx(K * std::expm1(1200 * 9.81 * depth / K)).epsilon(1e-10));
+    highest = std::max(highest, fluid.x[1][p]);
+  }
+  // What the volume ratio holds is what is left of it without the weight below the highest particle.
+  CHECK(fluid.weightless_level == highest);
+  CHECK(fluid.unit_weight == doctest::Approx(1200 * 9.81).epsilon(1e-14));
+  for (std::size_t p = 0; p < fluid.size(); ++p)
+    CHECK(K * (1 / fluid.J[p] - 1) ==
+          doctest::Approx(mean_pressure(fluid, p) - 1200 * 9.81 * (highest - fluid.x[1][p])).epsilon(1e-9));
+}

@@ -1,0 +1,192 @@
+// Membrane nodes on rigid ground: forces by hand, and what rests on it weighs what it should.
+#include "contact/surface_contact.hpp"
+
+#include <doctest/doctest.h>
+#include <geodrop/pipeline.hpp>
+
+#include <numeric>
+
+#include "membrane/membrane_force.hpp"
+#include "support/scene_files.hpp"
+
+using namespace geodrop;
+
+namespace {
+
+constexpr double dt = 0.01, stiffness = 2e5;
+
+/// An open line of three nodes above, on and 1 mm inside level ground at y = 1; their lengths: 0.2, 0.35, 0.15 m.
+State<2> line_on_ground(double friction) {
+  Membrane<2> m;
+  m.name = "sheet";
+  m.closed = false;
+  m.x = {Array<double>{0.5, 0.9, 1.2}, Array<double>{1.001, 1.0, 0.999}};
+  for (auto* values : {&m.v, &m.load})
+    for (auto& component : *values) component.assign(3, 0.0);
+  m.mass.assign(3, 1.0);
+  m.rest_length = {0.4, 0.3};
+  Contact<2> contact{"sheet", "ground", {0, 1}, {0, 1}, friction, stiffness, {}};
+  for (auto& component : contact.slip) component.assign(3, 0.0);
+  State<2> state;
+  state.membranes = {m};
+  state.contacts = {contact};
+  return state;
+}
+
+/// One more step of contact; the load of the node that is inside.
+std::array<double, 2> load_inside(State<2>& state) {
+  clear_membrane_loads(state);
+  add_contact_forces(state, dt);
+  return {state.membranes[0].load[0][2], state.membranes[0].load[1][2]};
+}
+
+/// Steps until the run is over; true if that is because it has come to rest.
+bool comes_to_rest(const Scene& scene, State<2>& state) {
+  Grid<2> grid = make_grid<2>(scene);
+  Pipeline<2> pipeline = build_pipeline<2>(scene);
+  while (!is_over(scene, state)) advance(scene, pipeline, state, grid);
+  return state.t < scene.time.end;
+}
+
+/// Weight of all particles and membranes [N].
+double weight(const Scene& scene, const State<2>& state) {
+  double mass = 0;
+  for (const auto& body : state.bodies) mass = std::accumulate(body.mass.begin(), body.mass.end(), mass);
+  for (const auto& m : state.membranes) mass = std::accumulate(m.mass.begin(), m.mass.end(), mass);
+  return -scene.gravity[1] * mass;
+}
+
+/// Sum of the contact forces [N].
+std::array<double, 2> contact_force(State<2>& state) {
+  clear_membrane_loads(state);
+  add_contact_forces(state, 0);
+  const auto& load = state.membranes[0].load;
+  return {std::accumulate(load[0].begin(), load[0].end(), 0.0), std::accumulate(load[1].begin(), load[1].end(), 0.0)};
+}
+
+}  // namespace
+
+TEST_CASE("Penetration times stiffness times the node's length, straight up; no force with a gap") {
+  State<2> state = line_on_ground(0);
+  CHECK(load_inside(state)[1] == doctest::Approx(stiffness * 0.15 * 1e-3).epsilon(1e-12));
+  for (int k = 0; k < 2; ++k)
+    for (int a = 0; a < 2; ++a) CHECK(state.membranes[0].load[a][k] == 0);
+  CHECK(state.membranes[0].load[0][2] == 0);
+}
+
+TEST_CASE("The length of a node is half of the segments beside it, also where a membrane closes") {
+  State<2> state = line_on_ground(0);
+  Membrane<2>& m = state.membranes[0];
+  m.x[1].assign(3, 0.999);
+  load_inside(state);
+  const double open[] = {0.2, 0.35, 0.15};
+  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == doctest::Approx(stiffness * 1e-3 * open[k]).epsilon(1e-11));
+  m.closed = true;
+  m.rest_length.push_back(0.8);
+  load_inside(state);
+  const double closed[] = {0.6, 0.35, 0.55};
+  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == doctest::Approx(stiffness * 1e-3 * closed[k]).epsilon(1e-11));
+}
+
+TEST_CASE("Contact adds to the loads that are there") {
+  State<2> state = line_on_ground(0);
+  clear_membrane_loads(state);
+  state.membranes[0].load[1][2] = 7;
+  add_contact_forces(state, dt);
+  CHECK(state.membranes[0].load[1][2] == doctest::Approx(7 + stiffness * 0.15 * 1e-3).epsilon(1e-12));
+}
+
+TEST_CASE("A slope pushes along its normal, and drags along itself only") {
+  State<2> state = line_on_ground(10);
+  state.contacts[0].normal = {-0.6, 0.8};
+  state.contacts[0].point = {1.2 - 0.6 * 1e-3, 0.999 + 0.8 * 1e-3};                // the last node is 1 mm inside
+  for (int k = 0; k < 2; ++k) state.membranes[0].x[0][k] = -5;                     // and the others are far outside
+  state.membranes[0].v = {Array<double>{0, 0, -0.06}, Array<double>{0, 0, 0.08}};  // along the normal
+  auto load = load_inside(state);
+  const double push = stiffness * 0.15 * 1e-3;
+  CHECK(load[0] == doctest::Approx(-0.6 * push).epsilon(1e-9));
+  CHECK(load[1] == doctest::Approx(0.8 * push).epsilon(1e-9));
+  state.membranes[0].v = {Array<double>{0, 0, 0.008}, Array<double>{0, 0, 0.006}};  // along the slope, 1 cm/s
+  load = load_inside(state);
+  const double drag = stiffness * 0.15 * 0.01 * dt;
+  CHECK(load[0] == doctest::Approx(-0.6 * push - 0.8 * drag).epsilon(1e-9));
+  CHECK(load[1] == doctest::Approx(0.8 * push - 0.6 * drag).epsilon(1e-9));
+}
+
+TEST_CASE("Friction sticks as a spring, slips at mu times the push, and always opposes the motion") {
+  constexpr double mu = 0.5, spring = stiffness * 0.15, limit = mu * spring * 1e-3;
+  for (const double sense : {1.0, -1.0}) {
+    CAPTURE(sense);
+    State<2> state = line_on_ground(mu);
+    state.membranes[0].v[0][2] = sense * 0.02;  // 0.2 mm a step: slips from 0.5 mm on
+    for (int step = 1; step <= 2; ++step)
+      CHECK(load_inside(state)[0] == doctest::Approx(-sense * spring * 0.2e-3 * step).epsilon(1e-11));
+    for (int step = 0; step < 20; ++step)
+      if (step > 0)
+        CHECK(load_inside(state)[0] == doctest::Approx(-sense * limit).epsilon(1e-11));
+      else
+        load_inside(state);
+    CHECK(state.membranes[0].load[1][2] == doctest::Approx(spring * 1e-3).epsilon(1e-11));
+    // Turned round, the spring gives back what the limit left of it, not all that it was dragged along.
+    state.membranes[0].v[0][2] = -sense * 0.02;
+    CHECK(load_inside(state)[0] == doctest::Approx(-sense * (limit - spring * 0.2e-3)).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("A node that lets go forgets its spring") {
+  State<2> state = line_on_ground(0.5);
+  state.membranes[0].v[0][2] = 0.02;
+  CHECK(load_inside(state)[0] < 0);
+  state.membranes[0].x[1][2] = 1.0001;
+  CHECK(load_inside(state)[0] == 0);
+  CHECK(state.contacts[0].slip[0][2] == 0);
+  state.membranes[0].x[1][2] = 0.999;
+  state.membranes[0].v[0][2] = 0;
+  CHECK(load_inside(state)[0] == 0);
+}
+
+TEST_CASE("A contact from a scene: unit normal, stiffness over the modulus of waves, slack springs") {
+  const Scene scene =
+      read_scene(source_path("tests/scenes/tube.toml"),
+                 {"contacts.0.stiffness=0.5", "rigid.ground.shape.normal=[0.0, 7.0]", "grid.spacing=0.2"});
+  const State<2> state = build_state<2>(scene);
+  REQUIRE(state.contacts.size() == 1);
+  const Contact<2>& contact = state.contacts[0];
+  CHECK(contact.normal == std::array<double, 2>{0, 1});
+  CHECK(contact.point == std::array<double, 2>{0, 0});
+  CHECK(contact.friction == 0.3);
+  CHECK(contact.stiffness == doctest::Approx(0.5 * 1200 * 100 * 100 / 0.2).epsilon(1e-12));
+  for (const auto& component : contact.slip) {
+    CHECK(component.size() == state.membranes[0].nodes());
+    for (const double slip : component) CHECK(slip == 0);
+  }
+  CHECK(state.membranes[0].load[0].size() == state.membranes[0].nodes());
+}
+
+TEST_CASE("A tube at rest on the ground weighs what it should") {
+  const Scene scene =
+      read_scene(source_path("tests/scenes/tube.toml"), {"grid.spacing=0.2", "pumps=[]", "time.end=20"});
+  State<2> state = build_state<2>(scene);
+  CHECK(comes_to_rest(scene, state));
+  const std::array<double, 2> force = contact_force(state);
+  CHECK(force[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+  CHECK(std::abs(force[0]) < 0.01 * force[1]);
+}
+
+TEST_CASE("A flat tube that a pump fills and lifts comes to rest, and weighs what it should") {
+  const Scene scene = read_scene(source_path("tests/scenes/tube.toml"),
+                                 {"grid.spacing=0.2", "time.end=6", "bodies.fluid.shape.semi_axes=[2.0,0.4]",
+                                  "bodies.fluid.shape.centre.1=0.4", "pumps.0.rate=1.0", "pumps.0.to=2.0"});
+  State<2> state = build_state<2>(scene);
+  const double before = weight(scene, state);
+  CHECK(comes_to_rest(scene, state));
+  CHECK(weight(scene, state) - before == doctest::Approx(1200 * 9.81 * 1.99).epsilon(1e-9));
+  CHECK(contact_force(state)[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+}
+
+TEST_CASE("An elastic block at rest on the ground weighs what it should") {
+  const Scene scene = read_scene(source_path("tests/scenes/block.toml"));
+  State<2> state = build_state<2>(scene);
+  CHECK(comes_to_rest(scene, state));
+  CHECK(contact_force(state)[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+}
