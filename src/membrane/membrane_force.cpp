@@ -31,19 +31,21 @@ double length(const std::array<double, Dim>& d) {
   return std::sqrt(sum);
 }
 
-/// Sums of values over the box of segments s - w to s + w around each s; the box is cut at the ends of an open
-/// membrane. From running sums, so that wide boxes cost what narrow ones do.
+/// Mean of values over the segments s - w to s + w around each s. Beyond the ends of an open membrane its mirror image
+/// goes on: as on a closed one each value then counts as often as any other, and an even tension stays even.
+/// From running sums, so that wide boxes cost what narrow ones do.
 template <int Dim>
-Array<double> box_sums(const Membrane<Dim>& membrane, const Array<double>& values) {
+Array<double> box_means(const Membrane<Dim>& membrane, const Array<double>& values) {
   const auto n = static_cast<std::ptrdiff_t>(values.size());
-  const std::ptrdiff_t w = membrane.averaging_segments;
-  Array<double> running(n + 2 * w + 1, 0.0), sums(n);
+  const std::ptrdiff_t w = membrane.averaging_segments, period = membrane.closed ? n : 2 * n;
+  Array<double> running(n + 2 * w + 1, 0.0), means(n);
   for (std::ptrdiff_t k = -w; k < n + w; ++k) {
-    const bool beyond = !membrane.closed && (k < 0 || k >= n);
-    running[k + w + 1] = running[k + w] + (beyond ? 0.0 : values[((k % n) + n) % n]);
+    const std::ptrdiff_t within = ((k % period) + period) % period;
+    running[k + w + 1] = running[k + w] + values[within < n ? within : 2 * n - 1 - within];
   }
-  for (std::ptrdiff_t s = 0; s < n; ++s) sums[s] = running[s + 2 * w + 1] - running[s];
-  return sums;
+  for (std::ptrdiff_t s = 0; s < n; ++s)
+    means[s] = (running[s + 2 * w + 1] - running[s]) / static_cast<double>(2 * w + 1);
+  return means;
 }
 
 /// Weights of the nine (27) nodes around a point, and the flat index of the lowest.
@@ -162,14 +164,11 @@ void update_tension(Membrane<Dim>& membrane) {
   const std::size_t n = membrane.segments();
   Array<double> raw(n), pull(n);
   for (std::size_t s = 0; s < n; ++s) raw[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
-  const Array<double> sums = box_sums(membrane, raw), sizes = box_sums(membrane, Array<double>(n, 1.0));
-  for (std::size_t s = 0; s < n; ++s) {
-    membrane.strain[s] = sums[s] / sizes[s];
-    const double tension = std::max(0.0, membrane.axial_stiffness * membrane.strain[s]);
-    pull[s] = tension * membrane.rest_length[s] / sizes[s];
-  }
-  const Array<double> pulls = box_sums(membrane, pull);
-  for (std::size_t r = 0; r < n; ++r) membrane.tension[r] = pulls[r] / membrane.rest_length[r];
+  membrane.strain = box_means(membrane, raw);
+  for (std::size_t s = 0; s < n; ++s)
+    pull[s] = std::max(0.0, membrane.axial_stiffness * membrane.strain[s]) * membrane.rest_length[s];
+  membrane.tension = box_means(membrane, pull);
+  for (std::size_t s = 0; s < n; ++s) membrane.tension[s] /= membrane.rest_length[s];
   for (const double tension : membrane.tension) membrane.tension_peak = std::max(membrane.tension_peak, tension);
 }
 

@@ -80,6 +80,13 @@ void check_still_fluids(const Scene& scene, Report& report) {
   }
 }
 
+void check_relaxation(const Scene& scene, Report& report) {
+  const bool falls = std::any_of(scene.gravity.begin(), scene.gravity.end(), [](double g) { return g != 0; });
+  if (scene.relaxation.damping == RelaxationSpec::Damping::none || falls || !report.healthy("gravity")) return;
+  report.add("relaxation.damping", "\"kinetic\" without gravity",
+             "\"none\", or gravity: both ratios are relative to it");
+}
+
 void check_pumps(const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.pumps.size(); ++i) {
     const PumpSpec& pump = scene.pumps[i];

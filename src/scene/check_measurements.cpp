@@ -55,6 +55,13 @@ void check_result(const Scene& scene, const ResultSpec& result, const std::strin
   }
 }
 
+/// A geotube is a closed membrane around its fill.
+void check_tube(const Scene& scene, const GeotubeProbeSpec& tube, const std::string& key, Report& report) {
+  for (const MembraneSpec& membrane : scene.membranes)
+    if (membrane.name == tube.membrane && !membrane.closed)
+      report.add(key + ".membrane", '"' + tube.membrane + "\", which is open", "a closed membrane");
+}
+
 void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& key, Report& report) {
   if (const auto* still = std::get_if<HydrostaticProbeSpec>(&probe.probe)) {
     check_reference(key + ".body", still->body, names_of(scene.bodies), "bodies", report);
@@ -67,6 +74,7 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
   }
   if (const auto* tube = std::get_if<GeotubeProbeSpec>(&probe.probe)) {
     check_reference(key + ".membrane", tube->membrane, names_of(scene.membranes), "membranes", report);
+    check_tube(scene, *tube, key, report);
     if (!tube->water.empty()) check_fluid(scene, key + ".water", tube->water, report);
     return;
   }

@@ -21,6 +21,10 @@ Scene without_places(Scene scene) {
   clear(scene.materials);
   clear(scene.bodies);
   clear(scene.membranes);
+  clear(scene.rigid);
+  clear(scene.contacts);
+  clear(scene.still_fluids);
+  clear(scene.pumps);
   clear(scene.exact);
   clear(scene.probes);
   clear(scene.results);
@@ -84,7 +88,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 81);
+  CHECK(sea.at.line == 86);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -98,6 +102,14 @@ TEST_CASE("bodies as written") {
   CHECK(bar.initial_velocity == InitialVelocity{BarFirstModeSpec{0.1, 1, 25}});
 }
 
+TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
+  const Scene scene = without_places(read_scene(every_key));
+  CHECK(scene.rigid == std::vector<RigidSpec>{{"ground", {{0, 0.5}, {0, 2}}, {}}});
+  CHECK(scene.contacts == std::vector<ContactSpec>{{"geotextile", "ground", 0.3, 0.5, {}}});
+  CHECK(scene.still_fluids == std::vector<StillFluidSpec>{{"geotextile", "water", 7, {}}});
+  CHECK(scene.pumps == std::vector<PumpSpec>{{"sea", 0.1, 0.5, 1.5, {}}});
+}
+
 TEST_CASE("membranes, probes and results as written") {
   const Scene scene = read_scene(every_key);
   REQUIRE(scene.membranes.size() == 2);
@@ -108,10 +120,11 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].averaging_segments == 2);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
-  REQUIRE(scene.probes.size() == 3);
+  REQUIRE(scene.probes.size() == 4);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
   CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) == HydrostaticProbeSpec{"still", "sea", {"water", 7}});
   CHECK(std::get<ExactProbeSpec>(scene.probes[2].probe) == ExactProbeSpec{"error", "pad"});
+  CHECK(std::get<GeotubeProbeSpec>(scene.probes[3].probe) == GeotubeProbeSpec{"tube", "geotextile", "water", 1.0});
   REQUIRE(scene.exact.size() == 4);
   CHECK(scene.exact[0].body == "pad");
   CHECK(std::get<AxisAlignedMmsSpec>(scene.exact[0].solution) == AxisAlignedMmsSpec{0.05, 1.0});
