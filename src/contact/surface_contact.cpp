@@ -1,5 +1,6 @@
 #include "surface_contact.hpp"
 
+#include <geodrop/find_named.hpp>
 #include <geodrop/graded_axis.hpp>
 
 #include <algorithm>
@@ -7,18 +8,6 @@
 
 namespace geodrop {
 namespace {
-
-template <class List>
-auto& named(List& list, const std::string& name) {
-  return *std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
-}
-
-template <int Dim>
-Vec<Dim> at(const std::array<Array<double>, Dim>& values, std::size_t k) {
-  Vec<Dim> v;
-  for (int a = 0; a < Dim; ++a) v[a] = values[a][k];
-  return v;
-}
 
 template <int Dim>
 void set(std::array<Array<double>, Dim>& values, std::size_t k, const Vec<Dim>& v) {
@@ -38,18 +27,18 @@ template <int Dim>
 void add_contact_force(Contact<Dim>& contact, double dt, Membrane<Dim>& membrane) {
   const Vec<Dim> point(contact.point.data()), normal(contact.normal.data());
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    const double gap = normal.dot(at<Dim>(membrane.x, k) - point);
+    const double gap = normal.dot(vector_at(membrane.x, k) - point);
     if (gap >= 0) {
       set<Dim>(contact.slip, k, Vec<Dim>::Zero());
       continue;
     }
     const double spring = contact.stiffness * node_length(membrane, k), push = -spring * gap;
-    const Vec<Dim> v = at<Dim>(membrane.v, k);
-    Vec<Dim> slip = at<Dim>(contact.slip, k) + dt * (v - normal.dot(v) * normal);
+    const Vec<Dim> v = vector_at(membrane.v, k);
+    Vec<Dim> slip = vector_at(contact.slip, k) + dt * (v - normal.dot(v) * normal);
     const double drag = spring * slip.norm();
     if (drag > contact.friction * push) slip *= contact.friction * push / drag;
     set<Dim>(contact.slip, k, slip);
-    set<Dim>(membrane.load, k, at<Dim>(membrane.load, k) + push * normal - spring * slip);
+    set<Dim>(membrane.load, k, vector_at(membrane.load, k) + push * normal - spring * slip);
   }
 }
 
@@ -57,9 +46,9 @@ void add_contact_force(Contact<Dim>& contact, double dt, Membrane<Dim>& membrane
 
 template <int Dim>
 Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state) {
-  const HalfPlaneShape& surface = named(scene.rigid, spec.rigid).shape;
-  const Membrane<Dim>& membrane = named(state.membranes, spec.membrane);
-  const Material& behind = named(state.bodies, membrane.body).material;
+  const HalfPlaneShape& surface = find_named(scene.rigid, spec.rigid).shape;
+  const Membrane<Dim>& membrane = find_named(state.membranes, spec.membrane);
+  const Material& behind = find_named(state.bodies, membrane.body).material;
   const double modulus = reference_density(behind) * std::pow(wave_speed(behind), 2);
   Contact<Dim> contact{spec.membrane, spec.rigid, {}, {}, spec.friction, 0, {}};
   contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
@@ -75,7 +64,8 @@ Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const Sta
 
 template <int Dim>
 void add_contact_forces(State<Dim>& state, double dt) {
-  for (Contact<Dim>& contact : state.contacts) add_contact_force(contact, dt, named(state.membranes, contact.membrane));
+  for (Contact<Dim>& contact : state.contacts)
+    add_contact_force(contact, dt, find_named(state.membranes, contact.membrane));
 }
 
 #define GEODROP_INSTANTIATE(D)                                                            \

@@ -1,6 +1,7 @@
 #include "geotube_probe.hpp"
 
 #include <geodrop/error.hpp>
+#include <geodrop/find_named.hpp>
 #include <geodrop/geotube.hpp>
 #include <geodrop/measure.hpp>
 
@@ -16,11 +17,6 @@
 
 namespace geodrop {
 namespace {
-
-template <class List>
-const auto& named(const List& list, const std::string& name) {
-  return *std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
-}
 
 /// Mean pressure of the particles within `near` of a level, carried on to it by the fluid's weight [Pa].
 double pressure_at(const Body<2>& fill, double unit_weight, double level, double near) {
@@ -77,8 +73,8 @@ std::vector<std::pair<std::string, double>> geotube_columns(const Scene& scene, 
   double bottom = 0, top = 0;
   std::optional<Geotube> exact = Geotube{};
   if (state) {
-    const Membrane<2>& membrane = named(state->membranes, probe.membrane);
-    const Body<2>& fill = named(state->bodies, membrane.body);
+    const Membrane<2>& membrane = find_named(state->membranes, probe.membrane);
+    const Body<2>& fill = find_named(state->bodies, membrane.body);
     const double unit_weight = unit_weight_of(scene, fill.material), near = scene.grid.spacing;
     now = measure(membrane);
     bottom = pressure_at(fill, unit_weight, now.lower[1], near);
@@ -106,8 +102,8 @@ std::vector<std::pair<std::string, double>> geotube_columns(const Scene& scene, 
 
 void write_geotube_profile(const Scene& scene, const GeotubeProbeSpec& probe, const State<2>& state,
                            const std::filesystem::path& directory) {
-  const Membrane<2>& membrane = named(state.membranes, probe.membrane);
-  const Body<2>& fill = named(state.bodies, membrane.body);
+  const Membrane<2>& membrane = find_named(state.membranes, probe.membrane);
+  const Body<2>& fill = find_named(state.bodies, membrane.body);
   const MembraneMeasures<2> now = measure(membrane);
   const std::size_t n = membrane.nodes();
   std::string outline = "x_m,y_m,tension_N_m\n";

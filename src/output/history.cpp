@@ -1,10 +1,10 @@
 // The rows of history.csv. Names and values are listed by the same functions, so that they cannot fall out of step.
 #include <algorithm>
-#include <cassert>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <geodrop/error.hpp>
+#include <geodrop/find_named.hpp>
 #include <geodrop/history.hpp>
 #include <numbers>
 
@@ -137,13 +137,6 @@ void list_exact_error(Row& row, const std::string& name, const ExactSpec& spec, 
   if (!std::holds_alternative<BarFirstModeSpec>(spec.solution)) return;
   row.add(name + ".mode_energy_ratio", error.mode_energy);
   row.add(name + ".phase_error_rad", error.phase);
-}
-
-template <class Named>
-const Named& find_named(const std::vector<Named>& list, const std::string& name) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Named& item) { return item.name == name; });
-  assert(found != list.end());
-  return *found;
 }
 
 template <int Dim>

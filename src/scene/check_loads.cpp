@@ -1,6 +1,8 @@
-// Checks of rigid bodies and contacts: both partners exist, and nothing starts inside a rigid body.
+// Checks of what acts on membranes and fluids from outside: rigid bodies, contacts, still fluids, pumps; and of
+// relaxation.
 #include "check_scene.hpp"
 
+#include <geodrop/find_named.hpp>
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
 
@@ -35,11 +37,6 @@ void check_start(const Scene& scene, const MembraneSpec& membrane, const RigidSp
                "a membrane that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
 }
 
-template <class List>
-auto find_in(const List& list, const std::string& name) {
-  return std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
-}
-
 }  // namespace
 
 void check_contacts(const Scene& scene, Report& report) {
@@ -62,7 +59,8 @@ void check_contacts(const Scene& scene, Report& report) {
     if (!known || !report.healthy("rigid") || !report.healthy("membranes") || !report.healthy("grid") ||
         !report.healthy("dimension") || !report.healthy("bodies"))
       continue;
-    check_start(scene, *find_in(scene.membranes, contact.membrane), *find_in(scene.rigid, contact.rigid), key, report);
+    check_start(scene, find_named(scene.membranes, contact.membrane), find_named(scene.rigid, contact.rigid), key,
+                report);
   }
 }
 
@@ -72,7 +70,7 @@ void check_still_fluids(const Scene& scene, Report& report) {
     const std::string& key = report.element("still_fluids", i);
     check_fluid(scene, key + ".fluid", still.fluid, report);
     if (check_reference(key + ".membrane", still.membrane, names_of(scene.membranes), "membranes", report) &&
-        !find_in(scene.membranes, still.membrane)->closed)
+        !find_named(scene.membranes, still.membrane).closed)
       report.add(key + ".membrane", '"' + still.membrane + "\", which is open", "a closed membrane");
     if (report.healthy("gravity") && report.healthy("dimension") && scene.gravity[0] != 0)
       report.add(key + ".surface", "a level, with gravity " + to_text(scene.gravity),

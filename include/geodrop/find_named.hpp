@@ -1,0 +1,18 @@
+// Looking things up by their name, where it is known that they are there.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+
+namespace geodrop {
+
+/// The first of a list with this name; there has to be one.
+template <class List>
+auto& find_named(List& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
+  assert(found != list.end());
+  return *found;
+}
+
+}  // namespace geodrop
