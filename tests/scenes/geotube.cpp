@@ -33,13 +33,17 @@ TEST_CASE("A tube whose fill is one percent short is not taken for the exact one
   CHECK(run.outcome().code == 1);
 }
 
-TEST_CASE("A tube that is pumped full follows the exact one") {
-  const SceneRun run("cases/geotube_filling.toml");
-  CHECK(std::abs(run.result("height_error_max_ratio")) < 0.01);  // measured: 0.0014 and -0.0045
-  CHECK(std::abs(run.result("height_error_min_ratio")) < 0.01);
-  CHECK(std::abs(run.result("tension_error_last_ratio")) < 0.01);
-  CHECK(run.result("area_m2") == doctest::Approx(6.45).epsilon(0.003));
-  CHECK(run.result("height_m") == doctest::Approx(2.3666).epsilon(0.005));
+TEST_CASE("A tube that is pumped full follows the exact one from stroke to stroke") {
+  const SceneRun run("cases/geotube_filling.toml", {"grid.spacing=0.2"});
+  const std::vector<double> error = run.column("tube.height_error_ratio"), area = run.column("geotextile.area_m2");
+  REQUIRE(error.size() >= 11);  // a row a second
+  for (std::size_t row = 3; row < error.size(); ++row) {
+    CAPTURE(row);
+    CHECK(std::abs(error[row]) < 0.015);  // 0.01 measured on these 5 to 12 cells; 0.0045 at half the spacing
+    CHECK(area[row] > area[row - 1] - 1e-3);
+  }
+  CHECK(area.back() == doctest::Approx(6.45).epsilon(0.003));
+  CHECK(std::abs(run.result("tension_error_last_ratio")) < 0.02);
 }
 
 TEST_CASE("The height hardly depends on the reduced speed of sound") {
