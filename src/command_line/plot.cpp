@@ -70,7 +70,7 @@ Chart history_chart(const CsvTable& table, const std::string& title) {
 /// Simulated and exact outline, pressure against height, tension along the membrane of the geotube of one probe.
 Chart geotube_chart(const std::filesystem::path& directory, const std::string& stem) {
   const auto table = [&](const std::string& which) { return read_csv(directory / (stem + "_" + which + ".csv")); };
-  const auto half_turn = [](const CsvTable& outline) {  // length along the membrane
+  const auto along_membrane = [](const CsvTable& outline) {  // lengths
     std::vector<double> s{0.0};
     const auto &x = outline.column("x_m"), &y = outline.column("y_m");
     for (std::size_t k = 1; k < x.size(); ++k) s.push_back(s.back() + std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]));
@@ -83,12 +83,12 @@ Chart geotube_chart(const std::filesystem::path& directory, const std::string& s
   shape.series.push_back({"simulated", outline.column("x_m"), outline.column("y_m")});
   pressures.series.push_back(
       {"particles", pressure.column("pressure_Pa"), pressure.column("height_m"), SeriesStyle::points});
-  tension.series.push_back({"simulated", half_turn(outline), outline.column("tension_N_m")});
+  tension.series.push_back({"simulated", along_membrane(outline), outline.column("tension_N_m")});
   if (std::filesystem::exists(directory / (stem + "_exact.csv"))) {
     const CsvTable exact = table("exact");
     shape.series.push_back({"exact", exact.column("x_m"), exact.column("y_m"), SeriesStyle::dashed});
     pressures.series.push_back({"exact", exact.column("pressure_Pa"), exact.column("y_m"), SeriesStyle::dashed});
-    tension.series.push_back({"exact", half_turn(exact), exact.column("tension_N_m"), SeriesStyle::dashed});
+    tension.series.push_back({"exact", along_membrane(exact), exact.column("tension_N_m"), SeriesStyle::dashed});
   }
   return {directory.string(), {shape, pressures, tension}, 2};
 }

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../membrane/polygon.hpp"
+
 namespace geodrop {
 namespace {
-
-double signed_area(const Array<double>& x, const Array<double>& y) {
-  double twice = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const std::size_t next = k + 1 == x.size() ? 0 : k + 1;
-    twice += x[k] * y[next] - x[next] * y[k];
-  }
-  return twice / 2;
-}
 
 /// Integrals of 1, z, z^2 from one z to another.
 FaceMoments moments_between(double from, double to) {
@@ -92,7 +85,7 @@ void cut_cells(const GridLayout<2>& layout, const Array<double>& x, const Array<
   const double to_box[] = {0.5 + GridLayout<2>::pad - cells.first[0], 0.5 + GridLayout<2>::pad - cells.first[1]};
   std::vector<double> cuts;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    const std::size_t next = k + 1 == x.size() ? 0 : k + 1;
+    const std::size_t next = end_of_edge(k, x.size());
     const Edge edge{(x[k] - layout.lower[0]) * layout.inv_h + to_box[0],
                     (y[k] - layout.lower[1]) * layout.inv_h + to_box[1], (x[next] - x[k]) * layout.inv_h,
                     (y[next] - y[k]) * layout.inv_h};

@@ -8,6 +8,7 @@
 #include "../kernels/slabs.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
+#include "../membrane/polygon.hpp"
 #include "cut_cells.hpp"
 
 namespace geodrop {
@@ -158,7 +159,7 @@ Array<double> outflow(const Body<2>& body, const Membrane<2>& membrane, const Gr
   const auto v = node_velocities(membrane, grid);
   const auto& [x, y] = membrane.x;
   for (const EnclosedCells::Piece& piece : cells.pieces) {
-    const std::size_t k = piece.edge, next = k + 1 == membrane.nodes() ? 0 : k + 1;
+    const std::size_t k = piece.edge, next = end_of_edge(k, membrane.nodes());
     const double normal[] = {cells.sense * (y[next] - y[k]), cells.sense * (x[k] - x[next])};
     const double of_end = 0.5 * (piece.to * piece.to - piece.from * piece.from),
                  of_start = piece.to - piece.from - of_end;
@@ -211,7 +212,7 @@ void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
     const Array<double>& y = membrane.x[1];
     const auto weight = [&](std::size_t k) { return body.unit_weight * (body.weightless_level - y[k]); };
     for (std::size_t k = 0; k < membrane.nodes(); ++k)
-      add_pressure({0, 1, weight(k), weight(k + 1 == membrane.nodes() ? 0 : k + 1)}, cells.sense, k, membrane);
+      add_pressure({0, 1, weight(k), weight(end_of_edge(k, membrane.nodes()))}, cells.sense, k, membrane);
   });
 }
 

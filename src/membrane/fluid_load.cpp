@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polygon.hpp"
+
 namespace geodrop {
 namespace {
-
-std::size_t end_of(const Membrane<2>& membrane, std::size_t k) { return k + 1 == membrane.nodes() ? 0 : k + 1; }
 
 /// The part of an edge below a level, empty (from = to) if none is.
 EdgePressure wet_part(double start, double end, double surface, double unit_weight) {
@@ -20,18 +20,10 @@ EdgePressure wet_part(double start, double end, double surface, double unit_weig
 
 }  // namespace
 
-double sense_of(const Membrane<2>& membrane) {
-  const auto& [x, y] = membrane.x;
-  double twice = 0;
-  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    const std::size_t end = end_of(membrane, k);
-    twice += x[k] * y[end] - x[end] * y[k];
-  }
-  return twice > 0 ? 1 : -1;
-}
+double sense_of(const Membrane<2>& membrane) { return signed_area(membrane.x[0], membrane.x[1]) > 0 ? 1 : -1; }
 
 void add_pressure(const EdgePressure& pressure, double sense, std::size_t k, Membrane<2>& membrane) {
-  const std::size_t end = end_of(membrane, k);
+  const std::size_t end = end_of_edge(k, membrane.nodes());
   const double normal[] = {sense * (membrane.x[1][end] - membrane.x[1][k]),
                            sense * (membrane.x[0][k] - membrane.x[0][end])};
   const double middle = 0.5 * (pressure.from + pressure.to), width = pressure.to - pressure.from;
@@ -57,7 +49,7 @@ void add_still_fluids(const Scene& scene, State<2>& state) {
           -scene.gravity[1] * reference_density(make_material(*find_material(scene, still.fluid)));
       const double sense = sense_of(membrane);
       for (std::size_t k = 0; k < membrane.segments(); ++k) {
-        const double start = membrane.x[1][k], end = membrane.x[1][end_of(membrane, k)];
+        const double start = membrane.x[1][k], end = membrane.x[1][end_of_edge(k, membrane.nodes())];
         add_pressure(wet_part(start, end, still.surface, unit_weight), sense, k, membrane);
       }
     }

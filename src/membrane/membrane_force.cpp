@@ -7,20 +7,15 @@
 #include <sstream>
 
 #include "../kernels/bases.hpp"
+#include "polygon.hpp"
 
 namespace geodrop {
 namespace {
 
-/// Segment s ends at node s + 1, or at node 0 if it closes the loop.
-template <int Dim>
-std::size_t end_node(const Membrane<Dim>& membrane, std::size_t segment) {
-  return segment + 1 == membrane.nodes() ? 0 : segment + 1;
-}
-
 template <int Dim>
 std::array<double, Dim> segment_vector(const Membrane<Dim>& membrane, std::size_t s) {
   std::array<double, Dim> d;
-  for (int a = 0; a < Dim; ++a) d[a] = membrane.x[a][end_node(membrane, s)] - membrane.x[a][s];
+  for (int a = 0; a < Dim; ++a) d[a] = membrane.x[a][end_of_edge(s, membrane.nodes())] - membrane.x[a][s];
   return d;
 }
 
@@ -182,7 +177,7 @@ std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
     const double scale = now > 0 ? membrane.tension[r] / now : 0.0;  // two nodes in one place: no direction
     for (int a = 0; a < Dim; ++a) {
       force[a][r] += scale * d[a];
-      force[a][end_node(membrane, r)] -= scale * d[a];
+      force[a][end_of_edge(r, membrane.nodes())] -= scale * d[a];
     }
   }
   return force;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fixed_order_sum.hpp"
+#include "membrane/polygon.hpp"
 
 namespace geodrop {
 namespace {
@@ -110,16 +111,6 @@ double bytes(const Array<T>& values) {
   return static_cast<double>(values.size() * sizeof(T));
 }
 
-template <int Dim>
-double shoelace(const Membrane<Dim>& membrane) {
-  double twice = 0;
-  for (std::size_t i = 0; i < membrane.nodes(); ++i) {
-    const std::size_t j = (i + 1) % membrane.nodes();
-    twice += membrane.x[0][i] * membrane.x[1][j] - membrane.x[0][j] * membrane.x[1][i];
-  }
-  return std::abs(twice) / 2;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -204,7 +195,7 @@ MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
   const double variance = squares / rest_length - measures.tension_mean * measures.tension_mean;
   measures.tension_deviation = std::sqrt(std::max(0.0, variance));
   measures.tension_p95 = percentile({membrane.tension.begin(), membrane.tension.end()}, 95);
-  measures.area = Dim == 2 && membrane.closed ? shoelace(membrane) : not_there;
+  measures.area = Dim == 2 && membrane.closed ? std::abs(signed_area(membrane.x[0], membrane.x[1])) : not_there;
   measures.utilisation_max = membrane.strength > 0 ? measures.tension_max / membrane.strength : not_there;
   return measures;
 }
