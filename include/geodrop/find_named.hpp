@@ -7,6 +7,11 @@
 
 namespace geodrop {
 
+template <class List>
+bool is_named(const List& list, const std::string& name) {
+  return std::any_of(list.begin(), list.end(), [&](const auto& item) { return item.name == name; });
+}
+
 /// The first of a list with this name; there has to be one.
 template <class List>
 auto& find_named(List& list, const std::string& name) {

@@ -11,6 +11,7 @@
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/types.hpp>
+#include <vector>
 
 namespace geodrop {
 
@@ -113,11 +114,14 @@ struct EnclosedCells {
   Array<double> rate;      ///< D_c of all cells, by the flat index of the grid [1/s]
 };
 
-/// Everything that the stages of one step hand to each other. Cleared anew each step, so not part of a checkpoint.
-/// Entries outside the active blocks are zero. Arrays that no stage of the pipeline needs have length zero.
+/// Everything that the stages of one step hand to each other: one velocity field. Cleared anew each step, so not part
+/// of a checkpoint. Entries outside the active blocks are zero. Arrays that no stage of the pipeline needs have length
+/// zero.
 template <int Dim>
 struct Grid {
   GridLayout<Dim> layout;
+  int field = 0;                       ///< bodies, membranes and tracers of this number move with it
+  Array<std::uint32_t> active_blocks;  ///< sorted; blocks that particles may touch until the next sort
   /// Nodes below it (on a graded grid: times the widths of their splines) share their impulse with their neighbours,
   /// see grid/momentum [kg].
   double light_mass = 0;
@@ -157,8 +161,16 @@ struct Grid {
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };
 
-/// Allocates the fields that the scene's physics needs.
+/// One grid for each velocity field, all of the same layout.
 template <int Dim>
-Grid<Dim> make_grid(const Scene& scene);
+using Grids = std::vector<Grid<Dim>>;
+
+/// Allocates the arrays that the physics of the bodies of a velocity field needs.
+template <int Dim>
+Grid<Dim> make_grid(const Scene& scene, int field = 0);
+
+/// The grids of all velocity fields.
+template <int Dim>
+Grids<Dim> make_grids(const Scene& scene);
 
 }  // namespace geodrop

@@ -23,7 +23,7 @@ template <int Dim>
 struct Stage {
   std::string name;
   std::string reads_writes;  ///< "reads -> writes", for `geodrop stages`
-  std::function<void(State<Dim>&, Grid<Dim>&, const StepContext&)> run;
+  std::function<void(State<Dim>&, Grids<Dim>&, const StepContext&)> run;
   double seconds = 0;  ///< wall time so far
 };
 
@@ -40,7 +40,7 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
 
 /// Runs one step of all stages and advances the clock.
 template <int Dim>
-void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid);
+void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids);
 
 /// Whether a run has nothing more to do: its time is over, or it has come to rest and no pump is still to run.
 template <int Dim>

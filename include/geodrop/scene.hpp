@@ -3,6 +3,7 @@
 // `==` compares every value, the positions in the file included.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <geodrop/error.hpp>
 #include <limits>
@@ -204,9 +205,9 @@ struct RigidSpec {
 };
 /// A membrane on a rigid body: penalty with Coulomb friction, see contact/surface_contact.
 struct ContactSpec {
-  std::string membrane, rigid;
-  double friction = 0;   ///< mu [-]
-  double stiffness = 1;  ///< of the penalty, over P / h of the membrane's body, P its wave modulus [-]
+  std::array<std::string, 2> between;  ///< a membrane, and a rigid body, a membrane or itself
+  double friction = 0;                 ///< mu [-]
+  double stiffness = 1;                ///< of the penalty, over P / h of the membrane's body, P its wave modulus [-]
   SourceRef at;
   bool operator==(const ContactSpec&) const = default;
 };

@@ -19,11 +19,12 @@ struct Body {
   std::string name;
   std::string material_name;
   Material material;
+  int field = 0;  ///< velocity field that it moves with, Grid::field
   PressureSupport pressure = PressureSupport::cell;
   bool shift = false;                            ///< particle shifting (fluids)
   double shift_speed = 0;                        ///< v0 of the shift [m/s]
   double half_size = 0;                          ///< half width of a particle's domain (Basis::gimp) [h]
-  int enclosed = -1;                             ///< index in Grid::enclosed (PressureSupport::enclosed)
+  int enclosed = -1;                             ///< index in Grid::enclosed of its field (PressureSupport::enclosed)
   double unit_weight = 0, weightless_level = 0;  ///< of an enclosed fluid: gamma [N/m3], y0 [m]
 
   std::array<Array<double>, Dim> x;             ///< position [m]
@@ -63,6 +64,7 @@ template <int Dim>
 struct Membrane {
   std::string name;
   std::string body;
+  int field = 0;  ///< its body's
   bool closed = true;
   double axial_stiffness = 0;           ///< J [N/m]
   double strength = 0;                  ///< [N/m]
@@ -90,6 +92,18 @@ struct Contact {
   std::array<Array<double>, Dim> slip;    ///< stretch of the tangential springs of the nodes [m]
 };
 
+/// Two membranes that touch, or the folds of one, see contact/membrane_contact.
+struct MembraneContact {
+  std::array<std::string, 2> between;  ///< names; twice the same: own folds
+  std::array<double, 2> outward;       ///< 1: the body is on the left of its membrane, -1: on its right
+  double friction = 0;                 ///< mu [-]
+  double stiffness = 0;                ///< penalty: pressure per penetration [Pa/m]
+  double reach = 0;                    ///< farthest distance at which nodes look for segments [m]
+  std::array<Array<double>, 2> slip;   ///< stretch of the tangential springs of the nodes of both [m]
+  std::array<double, 2> force{};       ///< on the first membrane, in the last step [N]
+  double normal_force = 0;             ///< sum of the magnitudes of normal forces, likewise [N]
+};
+
 /// How far a state has come to rest, see pipeline/relaxation. Energies in J.
 struct Relaxation {
   double kinetic = 0, kinetic_largest = 0;             ///< after the last step; largest of the present cycle
@@ -105,6 +119,7 @@ template <int Dim>
 struct Tracer {
   std::string name;
   std::array<double, Dim> x, v, initial_x;
+  int field = 0;
 };
 
 template <int Dim>
@@ -116,9 +131,9 @@ struct State {
   std::vector<Body<Dim>> bodies;
   std::vector<Membrane<Dim>> membranes;
   std::vector<Contact<Dim>> contacts;
+  std::vector<MembraneContact> membrane_contacts;
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
-  Array<std::uint32_t> active_blocks;  ///< sorted; blocks of the grid that particles may touch until the next sort
 
   /// Number of particles of all bodies.
   std::size_t particles() const {

@@ -14,12 +14,12 @@ struct Subject {
   explicit Subject(Scene s)
       : scene(std::move(s)),
         state(build_state<Dim>(scene)),
-        grid(make_grid<Dim>(scene)),
+        grids(make_grids<Dim>(scene)),
         pipeline(build_pipeline<Dim>(scene)) {}
 
   Scene scene;
   State<Dim> state;
-  Grid<Dim> grid;
+  Grids<Dim> grids;
   Pipeline<Dim> pipeline;
 };
 
@@ -35,13 +35,13 @@ template <int Dim>
 SpeedMeasurement describe(const Subject<Dim>& subject) {
   SpeedMeasurement m;
   m.particles = subject.state.particles();
-  m.nodes = subject.grid.layout.nodes();
-  m.active_blocks = subject.state.active_blocks.size();
+  m.nodes = subject.grids.front().layout.nodes();
+  m.active_blocks = subject.grids.front().active_blocks.size();
   const double all = static_cast<double>(m.particles);
   for (const Body<Dim>& body : subject.state.bodies) {
     m.bytes_per_particle += particle_bytes(body) / all;
     m.work += work_of({Dim, subject.scene.grid.basis, kind_of(body.material), subject.scene.solver.transfer,
-                       body.pressure, subject.grid.layout.graded()}) *
+                       body.pressure, subject.grids.front().layout.graded()}) *
               (static_cast<double>(body.size()) / all);
   }
   return m;
@@ -50,10 +50,10 @@ SpeedMeasurement describe(const Subject<Dim>& subject) {
 /// Steps through a number of sort cycles; the first step sorts.
 template <int Dim>
 int step_cycles(Subject<Dim>& subject, int cycles) {
-  const double due = allowed_drift_cells * subject.grid.layout.finest;
+  const double due = allowed_drift_cells * subject.grids.front().layout.finest;
   int steps = 0;
   for (int cycle = 0; cycle < cycles; ++cycle) do {
-      advance(subject.scene, subject.pipeline, subject.state, subject.grid);
+      advance(subject.scene, subject.pipeline, subject.state, subject.grids);
       ++steps;
     } while (subject.state.drift < due);
   return steps;
@@ -107,7 +107,7 @@ SpeedMeasurement measure_case_in(const Scene& scene, const Effort& effort, Refer
   constexpr int warm_up = 600, stretch = 100;
   Subject<Dim> subject(scene);
   const auto run = [&](int steps) {
-    for (int s = 0; s < steps; ++s) advance(subject.scene, subject.pipeline, subject.state, subject.grid);
+    for (int s = 0; s < steps; ++s) advance(subject.scene, subject.pipeline, subject.state, subject.grids);
     return steps;
   };
   run(warm_up);

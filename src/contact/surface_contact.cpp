@@ -6,21 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "node_length.hpp"
+
 namespace geodrop {
 namespace {
 
 template <int Dim>
 void set(std::array<Array<double>, Dim>& values, std::size_t k, const Vec<Dim>& v) {
   for (int a = 0; a < Dim; ++a) values[a][k] = v[a];
-}
-
-/// Length of the membrane that belongs to a node: half of the segments beside it, unstretched [m].
-template <int Dim>
-double node_length(const Membrane<Dim>& membrane, std::size_t k) {
-  const std::size_t n = membrane.segments();
-  double sum = k < n ? membrane.rest_length[k] : 0.0;
-  if (k > 0 || membrane.closed) sum += membrane.rest_length[k > 0 ? k - 1 : n - 1];
-  return 0.5 * sum;
 }
 
 template <int Dim>
@@ -46,11 +39,11 @@ void add_contact_force(Contact<Dim>& contact, double dt, Membrane<Dim>& membrane
 
 template <int Dim>
 Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state) {
-  const HalfPlaneShape& surface = find_named(scene.rigid, spec.rigid).shape;
-  const Membrane<Dim>& membrane = find_named(state.membranes, spec.membrane);
+  const HalfPlaneShape& surface = find_named(scene.rigid, spec.between[1]).shape;
+  const Membrane<Dim>& membrane = find_named(state.membranes, spec.between[0]);
   const Material& behind = find_named(state.bodies, membrane.body).material;
   const double modulus = reference_density(behind) * std::pow(wave_speed(behind), 2);
-  Contact<Dim> contact{spec.membrane, spec.rigid, {}, {}, spec.friction, 0, {}};
+  Contact<Dim> contact{spec.between[0], spec.between[1], {}, {}, spec.friction, 0, {}};
   contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
   double length = 0;
   for (int a = 0; a < Dim; ++a) length += surface.normal[a] * surface.normal[a];

@@ -14,14 +14,14 @@
 namespace geodrop {
 namespace {
 
-/// f(body, its membrane, its cells) for all enclosed bodies.
-template <class State, class Enclosed, class F>
-void for_each_enclosed(State& state, Enclosed& enclosed, F&& f) {
+/// f(body, its membrane, its cells) for all enclosed bodies of a velocity field.
+template <class State, class Grid, class F>
+void for_each_enclosed(State& state, Grid& grid, F&& f) {
   for (auto& body : state.bodies) {
-    if (body.pressure != PressureSupport::enclosed) continue;
+    if (body.field != grid.field || body.pressure != PressureSupport::enclosed) continue;
     const auto membrane = std::find_if(state.membranes.begin(), state.membranes.end(),
                                        [&](const auto& m) { return m.closed && m.body == body.name; });
-    f(body, *membrane, enclosed[body.enclosed]);
+    f(body, *membrane, grid.enclosed[body.enclosed]);
   }
 }
 
@@ -171,9 +171,10 @@ Array<double> outflow(const Body<2>& body, const Membrane<2>& membrane, const Gr
 /// Adds m `lift` of the enclosed fluids to the nodes.
 void take_gravity(const State<2>& state, const Grid<2>& grid, const std::array<double, 2>& lift, Array<Vec4>& target) {
   const auto is_enclosed = [](const Body<2>& body) { return body.pressure == PressureSupport::enclosed; };
-  if (std::all_of(state.bodies.begin(), state.bodies.end(), is_enclosed)) {
+  const auto other = [&](const Body<2>& body) { return body.field == grid.field && !is_enclosed(body); };
+  if (std::none_of(state.bodies.begin(), state.bodies.end(), other)) {
     // So far all mass on the nodes is theirs, which spares a third of a step of summing it up again.
-    for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+    for_each_active_row(grid, [&](int begin, int count, const auto&) {
       for (int node = begin; node < begin + count; ++node)
         for (int a = 0; a < 2; ++a) target[node][a] += lift[a] * grid.sum[node][3];
     });
@@ -182,7 +183,7 @@ void take_gravity(const State<2>& state, const Grid<2>& grid, const std::array<d
   std::array<Array<double>, 2> lifts;
   const std::size_t n = state.particles();
   for (int a = 0; a < 2; ++a) lifts[a].assign(n, lift[a]);
-  for_each_slab_by_colour(state, grid.layout, [&](const Body<2>& body, std::size_t begin, std::size_t end) {
+  for_each_slab_by_colour(state, grid, [&](const Body<2>& body, std::size_t begin, std::size_t end) {
     if (is_enclosed(body)) sum_by_mass<2>(body, {pointers(lifts), 0.0}, grid.layout, target.data(), begin, end);
   });
 }
@@ -191,7 +192,7 @@ void take_gravity(const State<2>& state, const Grid<2>& grid, const std::array<d
 
 template <>
 void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
-  for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
+  for_each_enclosed(state, grid, [&](const Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
     cut_cells(grid.layout, membrane.x[0], membrane.x[1], cells);
     sum_particles(body, grid.layout, cells);
     choose_hosts(grid.layout.h * grid.layout.h, cells);
@@ -204,7 +205,7 @@ void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
 
 template <>
 void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
-  for_each_enclosed(state, grid.enclosed, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells& cells) {
+  for_each_enclosed(state, grid, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells& cells) {
     for (const EnclosedCells::Piece& piece : cells.pieces) {
       const double pressure = cells.pressure[cells.host[piece.cell]];
       add_pressure({piece.from, piece.to, pressure, pressure}, cells.sense, piece.edge, membrane);
@@ -221,7 +222,7 @@ void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g
   const bool separate = !grid.force.empty();
   Array<Vec4>& target = separate ? grid.force : grid.sum;
   const double scale = separate ? 1.0 : dt;
-  for_each_enclosed(state, grid.enclosed, [&](const Body<2>&, const Membrane<2>&, const EnclosedCells& cells) {
+  for_each_enclosed(state, grid, [&](const Body<2>&, const Membrane<2>&, const EnclosedCells& cells) {
     for_each_face(grid.layout, cells, [&](const Face& face) {
       const double jump = cells.pressure[cells.host[face.below]] - cells.pressure[cells.host[face.above]];
       for (std::size_t n = 0; n < face.node.size(); ++n)
@@ -233,7 +234,7 @@ void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g
 
 template <>
 void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt) {
-  for_each_enclosed(state, grid.enclosed, [&](Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
+  for_each_enclosed(state, grid, [&](Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
     Array<double> flow = outflow(body, membrane, grid, cells);
     sum_into_hosts(cells, flow);
     const auto [nx, ny] = cells.count;

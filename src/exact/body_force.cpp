@@ -22,6 +22,7 @@ void body_force_to_grid(const std::vector<DrivenBody>& driven, const State<Dim>&
   const bool separate = !grid.force.empty();
   for (const DrivenBody& one : driven) {
     const Body<Dim>& body = state.bodies[one.body];
+    if (body.field != grid.field) continue;
     const auto n = static_cast<std::ptrdiff_t>(body.size());
     std::array<Array<double>, Dim> force;
     for (auto& component : force) component.resize(body.size());
@@ -31,7 +32,7 @@ void body_force_to_grid(const std::vector<DrivenBody>& driven, const State<Dim>&
       for (int a = 0; a < Dim; ++a) force[a][p] = separate ? b[a] : step.dt * b[a];
     }
     Vec4* const target = separate ? grid.force.data() : grid.sum.data();
-    for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& other, std::size_t begin, std::size_t end) {
+    for_each_slab_by_colour(state, grid, [&](const Body<Dim>& other, std::size_t begin, std::size_t end) {
       if (&other == &body) sum_by_mass<Dim>(body, {pointers(force), 0.0}, grid.layout, target, begin, end);
     });
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
 
 namespace geodrop {
 
@@ -50,18 +49,18 @@ void for_each_real_row_of_block(const GridLayout<Dim>& layout, std::uint32_t blo
 }
 
 template <int Dim, class F>
-void for_each_active_real_row(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
-  const auto n = static_cast<std::ptrdiff_t>(state.active_blocks.size());
+void for_each_active_real_row(const Grid<Dim>& grid, F&& f) {
+  const auto n = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
 #pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
-  for (std::ptrdiff_t b = 0; b < n; ++b) for_each_real_row_of_block(layout, state.active_blocks[b], f);
+  for (std::ptrdiff_t b = 0; b < n; ++b) for_each_real_row_of_block(grid.layout, grid.active_blocks[b], f);
 }
 
 /// Runs f on each row of each active block; blocks are shared out among the threads.
 template <int Dim, class F>
-void for_each_active_row(const State<Dim>& state, const GridLayout<Dim>& layout, F&& f) {
-  const auto n = static_cast<std::ptrdiff_t>(state.active_blocks.size());
+void for_each_active_row(const Grid<Dim>& grid, F&& f) {
+  const auto n = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
 #pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
-  for (std::ptrdiff_t b = 0; b < n; ++b) for_each_row_of_block(layout, state.active_blocks[b], f);
+  for (std::ptrdiff_t b = 0; b < n; ++b) for_each_row_of_block(grid.layout, grid.active_blocks[b], f);
 }
 
 }  // namespace geodrop

@@ -37,9 +37,9 @@ int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, co
 
 /// cell_fill := V / V_c, not yet smoothed.
 template <int Dim>
-void raw_fill(const State<Dim>& state, Grid<Dim>& grid, Array<double>& fill) {
+void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
   const double inv_measure = 1 / cell_measure(grid.layout);
-  for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> cell) {
+  for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     for (int k = 0; k < count; ++k, ++cell[0])
       fill[begin + k] = grid.cell_volume[begin + k] * inv_measure / cell_width_product<Dim>(grid, cell);
   });
@@ -97,7 +97,7 @@ void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
   // Neighbours in other blocks read the filled bit while this thread sets the shiftable bit of the same byte.
   constexpr auto relaxed = std::memory_order_relaxed;
   const auto flag = [&](int cell) { return std::atomic_ref<std::uint8_t>(grid.cell_flags[cell]); };
-  for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> cell) {
+  for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     const bool interior = far_from_walls<Dim>(grid.layout, count, cell);
     for (int k = 0; k < count; ++k, ++cell[0]) {
       bool full = true;
@@ -119,8 +119,8 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     sum_over_seam(grid.layout, axis, grid.cell_pressure);
   });
   Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
-  raw_fill(state, grid, fill);
-  for_each_active_real_row(state, grid.layout, [&](int begin, int count, const std::array<int, Dim>& cell) {
+  raw_fill(grid, fill);
+  for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>& cell) {
     const auto smooth = smoothed_fill<Dim>(grid.layout, fill, begin, count, cell);
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;

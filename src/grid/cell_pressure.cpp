@@ -153,9 +153,9 @@ RowForce<Dim> cell_pressure_force(const Grid<Dim>& grid, int begin, int count, c
 }
 
 template <int Dim>
-void cell_volume_rate(const State<Dim>& state, Grid<Dim>& grid) {
+void cell_volume_rate(Grid<Dim>& grid) {
   const double scale = Dim == 2 ? grid.layout.h : grid.layout.h * grid.layout.h;
-  for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> cell) {
+  for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     RowForce<Dim> flux{};  // only its first component is used
     if (grid.layout.graded()) {
       add_graded_flux<Dim>(grid, begin, count, cell, flux[0]);
@@ -172,8 +172,8 @@ void cell_volume_rate(const State<Dim>& state, Grid<Dim>& grid) {
   for_each_seam(grid.layout, [&](int axis) { copy_over_seam(grid.layout, axis, grid.volume_rate); });
 }
 
-#define GEODROP_INSTANTIATE(D)                                  \
-  template void cell_volume_rate<D>(const State<D>&, Grid<D>&); \
+#define GEODROP_INSTANTIATE(D)                 \
+  template void cell_volume_rate<D>(Grid<D>&); \
   template RowForce<D> cell_pressure_force<D>(const Grid<D>&, int, int, const std::array<int, D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

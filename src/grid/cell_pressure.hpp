@@ -20,7 +20,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
 
 /// D_c of all filled cells from the new nodal velocities.
 template <int Dim>
-void cell_volume_rate(const State<Dim>& state, Grid<Dim>& grid);
+void cell_volume_rate(Grid<Dim>& grid);
 
 /// Nodes of a row of a block, in one structure of arrays.
 template <int Dim>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <geodrop/grid.hpp>
 #include <geodrop/materials.hpp>
+#include <geodrop/velocity_fields.hpp>
 #include <limits>
 
 namespace geodrop {
@@ -82,9 +83,9 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
 /// 0.02 to 0.1 served in trials (design.md section 2, step 3).
 constexpr double light_share = 0.02;
 
-double lightest_density(const Scene& scene) {
+double lightest_density(const Scene& scene, const std::vector<BodySpec>& bodies) {
   double density = std::numeric_limits<double>::infinity();
-  for (const BodySpec& body : scene.bodies)
+  for (const BodySpec& body : bodies)
     if (const MaterialSpec* material = find_material(scene, body.material))
       density = std::min(density, reference_density(make_material(*material)));
   return density;
@@ -129,15 +130,20 @@ int GridLayout<Dim>::slab_count() const {
 }
 
 template <int Dim>
-Grid<Dim> make_grid(const Scene& scene) {
+Grid<Dim> make_grid(const Scene& scene, int field) {
+  const std::vector<int> fields = velocity_fields(scene);
+  std::vector<BodySpec> bodies;
+  for (std::size_t b = 0; b < fields.size(); ++b)
+    if (fields[b] == field) bodies.push_back(scene.bodies[b]);
   Grid<Dim> grid;
-  grid.light_mass = light_share * lightest_density(scene) * std::pow(scene.grid.spacing, Dim);
+  grid.field = field;
+  grid.light_mass = light_share * lightest_density(scene, bodies) * std::pow(scene.grid.spacing, Dim);
   grid.layout = GridLayout<Dim>(scene.grid, scene.walls);
   const std::size_t n = grid.layout.nodes();
   const Vec4 zero{};
   grid.sum.assign(n, zero);
   grid.velocity.assign(n, zero);
-  const auto any_body = [&](auto has) { return std::any_of(scene.bodies.begin(), scene.bodies.end(), has); };
+  const auto any_body = [&](auto has) { return std::any_of(bodies.begin(), bodies.end(), has); };
   const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
   const bool change = scene.solver.transfer != Transfer::tpic || consistent ||
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
@@ -153,19 +159,28 @@ Grid<Dim> make_grid(const Scene& scene) {
     for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
     grid.interior_value = interior_cell(grid.layout.basis).value;
   }
-  for (const BodySpec& body : scene.bodies) {
+  for (const BodySpec& body : bodies) {
     if (body.pressure != PressureSupport::enclosed) continue;
     grid.enclosed.emplace_back();
     grid.enclosed.back().rate.assign(n, 0.0);
   }
   if (any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }))
-    for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) field->assign(n, 0.0);
+    for (auto* values : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) values->assign(n, 0.0);
   return grid;
+}
+
+template <int Dim>
+Grids<Dim> make_grids(const Scene& scene) {
+  Grids<Dim> grids;
+  for (int field = 0; field < count_velocity_fields(scene); ++field) grids.push_back(make_grid<Dim>(scene, field));
+  return grids;
 }
 
 template struct GridLayout<2>;
 template struct GridLayout<3>;
-template Grid<2> make_grid<2>(const Scene&);
-template Grid<3> make_grid<3>(const Scene&);
+template Grid<2> make_grid<2>(const Scene&, int);
+template Grid<3> make_grid<3>(const Scene&, int);
+template Grids<2> make_grids<2>(const Scene&);
+template Grids<3> make_grids<3>(const Scene&);
 
 }  // namespace geodrop

@@ -37,20 +37,20 @@ Vec4 correction(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& nod
 }  // namespace
 
 template <int Dim>
-void correct_mass(const State<Dim>& state, Grid<Dim>& grid) {
-  for_each_active_real_row(state, grid.layout, [&](int begin, int count, std::array<int, Dim> node) {
+void correct_mass(Grid<Dim>& grid) {
+  for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> node) {
     for (int k = 0; k < count; ++k, ++node[0]) grid.mass_correction[begin + k] = correction<Dim>(grid, begin + k, node);
   });
-  for_each_active_real_row(state, grid.layout, [&](int begin, int count, const auto&) {
+  for_each_active_real_row(grid, [&](int begin, int count, const auto&) {
     for (int k = begin; k < begin + count; ++k) {
       grid.velocity[k] += grid.mass_correction[k];
       grid.velocity_change[k] += grid.mass_correction[k];
     }
   });
-  impose_wall_velocity(state, grid);
+  impose_wall_velocity(grid);
 }
 
-template void correct_mass<2>(const State<2>&, Grid<2>&);
-template void correct_mass<3>(const State<3>&, Grid<3>&);
+template void correct_mass<2>(Grid<2>&);
+template void correct_mass<3>(Grid<3>&);
 
 }  // namespace geodrop

@@ -15,6 +15,6 @@ namespace geodrop {
 /// but for the growth of the cells: the smaller mass stands for that of a cell between the nodes. Walls mirror.
 /// Particles do not take part, so it costs as much as the momentum of the grid, not a second transfer (FMPM(2)).
 template <int Dim>
-void correct_mass(const State<Dim>& state, Grid<Dim>& grid);
+void correct_mass(Grid<Dim>& grid);
 
 }  // namespace geodrop

@@ -22,15 +22,15 @@ Vec4 mirror(WallKind wall, int axis, Vec4 record) {
 /// Calls f(flat index) for the nodes of active blocks that have `coordinate` along `axis`; ghosts of the other axes
 /// included. Each call may touch the nodes of its own line along `axis`: lines are shared out among the threads.
 template <int Dim, class F>
-void for_each_active_node_of_layer(const State<Dim>& state, const GridLayout<Dim>& layout, int axis, int coordinate,
-                                   F&& f) {
+void for_each_active_node_of_layer(const Grid<Dim>& grid, int axis, int coordinate, F&& f) {
+  const GridLayout<Dim>& layout = grid.layout;
   const int layer_block = coordinate / GridLayout<Dim>::block_width[axis];
   int blocks_per_layer = 1;
   for (int a = 0; a < axis; ++a) blocks_per_layer *= layout.blocks[a];
-  const auto n = static_cast<std::ptrdiff_t>(state.active_blocks.size());
+  const auto n = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
 #pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < n; ++b) {
-    const std::uint32_t block = state.active_blocks[b];
+    const std::uint32_t block = grid.active_blocks[b];
     if (static_cast<int>(block) / blocks_per_layer % layout.blocks[axis] != layer_block) continue;
     for_each_row_of_block(layout, block, [&](int begin, int count, const std::array<int, Dim>& node) {
       if (axis == 0)
@@ -50,8 +50,9 @@ void for_both_walls(const GridLayout<Dim>& layout, int axis, F&& f) {
 }
 
 template <int Dim>
-void fold_field(const State<Dim>& state, const GridLayout<Dim>& layout, Array<Vec4>& field) {
+void fold_field(const Grid<Dim>& grid, Array<Vec4>& field) {
   if (field.empty()) return;
+  const GridLayout<Dim>& layout = grid.layout;
   for (int axis = 0; axis < Dim; ++axis) {
     if (layout.periodic(axis)) {
       sum_over_seam(layout, axis, field);
@@ -59,7 +60,7 @@ void fold_field(const State<Dim>& state, const GridLayout<Dim>& layout, Array<Ve
     }
     for_both_walls(layout, axis, [&](int at, int inward, WallKind wall) {
       const int to_image = 2 * inward * layout.stride[axis];
-      for_each_active_node_of_layer(state, layout, axis, at - inward, [&](int ghost) {
+      for_each_active_node_of_layer(grid, axis, at - inward, [&](int ghost) {
         field[ghost + to_image] += mirror<Dim>(wall, axis, field[ghost]);
         field[ghost] = Vec4{};
       });
@@ -69,22 +70,22 @@ void fold_field(const State<Dim>& state, const GridLayout<Dim>& layout, Array<Ve
 
 /// Velocity of walls and of their ghost nodes.
 template <int Dim>
-void impose_walls(const State<Dim>& state, const GridLayout<Dim>& layout, Array<Vec4>& field) {
+void impose_walls(const Grid<Dim>& grid, Array<Vec4>& field) {
   if (field.empty()) return;
+  const GridLayout<Dim>& layout = grid.layout;
   for (int axis = 0; axis < Dim; ++axis) {
     if (layout.periodic(axis)) {
       copy_over_seam(layout, axis, field);
       continue;
     }
     for_both_walls(layout, axis, [&](int at, int inward, WallKind wall) {
-      for_each_active_node_of_layer(state, layout, axis, at, [&](int node) {
+      for_each_active_node_of_layer(grid, axis, at, [&](int node) {
         for (int c = 0; c < Dim; ++c)
           if (mirror_sign(wall, axis, c) < 0) field[node][c] = 0;
       });
       const int to_image = 2 * inward * layout.stride[axis];
-      for_each_active_node_of_layer(state, layout, axis, at - inward, [&](int ghost) {
-        field[ghost] = mirror<Dim>(wall, axis, field[ghost + to_image]);
-      });
+      for_each_active_node_of_layer(
+          grid, axis, at - inward, [&](int ghost) { field[ghost] = mirror<Dim>(wall, axis, field[ghost + to_image]); });
     });
   }
 }
@@ -182,38 +183,38 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
 }  // namespace
 
 template <int Dim>
-void fold_walls(const State<Dim>& state, Grid<Dim>& grid) {
-  fold_field(state, grid.layout, grid.sum);
-  fold_field(state, grid.layout, grid.force);
+void fold_walls(Grid<Dim>& grid) {
+  fold_field(grid, grid.sum);
+  fold_field(grid, grid.force);
 }
 
 template <int Dim>
-void impose_wall_velocity(const State<Dim>& state, Grid<Dim>& grid) {
-  impose_walls(state, grid.layout, grid.velocity);
-  impose_walls(state, grid.layout, grid.velocity_change);
+void impose_wall_velocity(Grid<Dim>& grid) {
+  impose_walls(grid, grid.velocity);
+  impose_walls(grid, grid.velocity_change);
 }
 
 template <int Dim>
-void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt) {
+void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt) {
   MomentumStep step{{}, dt};
   for (int a = 0; a < Dim; ++a) step.gravity[a] = dt * gravity[a];
-  const auto blocks = static_cast<std::ptrdiff_t>(state.active_blocks.size());
+  const auto blocks = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
   std::vector<LeftOver> left_over(blocks);
 #pragma omp parallel for schedule(static) if (blocks >= blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < blocks; ++b)
-    for_each_real_row_of_block(grid.layout, state.active_blocks[b],
+    for_each_real_row_of_block(grid.layout, grid.active_blocks[b],
                                [&](int begin, int count, const std::array<int, Dim>& node) {
                                  update_row<Dim>(grid, begin, count, node, step, left_over[b]);
                                });
   for (const auto& block : left_over)
     for (const auto& [flat, impulse] : block) share_left_over(grid, flat, impulse);
-  impose_wall_velocity(state, grid);
+  impose_wall_velocity(grid);
 }
 
-#define GEODROP_INSTANTIATE(D)                                      \
-  template void impose_wall_velocity<D>(const State<D>&, Grid<D>&); \
-  template void fold_walls<D>(const State<D>&, Grid<D>&);           \
-  template void update_momentum<D>(const State<D>&, Grid<D>&, const std::array<double, D>&, double);
+#define GEODROP_INSTANTIATE(D)                     \
+  template void impose_wall_velocity<D>(Grid<D>&); \
+  template void fold_walls<D>(Grid<D>&);           \
+  template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

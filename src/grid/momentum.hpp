@@ -10,7 +10,7 @@ namespace geodrop {
 /// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums. Of walls
 /// only the active blocks are visited.
 template <int Dim>
-void fold_walls(const State<Dim>& state, Grid<Dim>& grid);
+void fold_walls(Grid<Dim>& grid);
 
 /// v' = v + dt (f / m + g) with the cell pressure's force added; zero normal (no-slip: whole) velocity on walls; mirror
 /// images in the ghost layer. Nodes with less mass than Grid::light_mass take only the part m / light_mass of their
@@ -18,10 +18,10 @@ void fold_walls(const State<Dim>& state, Grid<Dim>& grid);
 /// rigid velocity increment, to the nodes of their neighbourhood: momentum is kept to round-off (flux redistribution,
 /// Chern & Colella 1987).
 template <int Dim>
-void update_momentum(const State<Dim>& state, Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
+void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
 
 /// Holds the nodal velocity at the walls, ghosts included.
 template <int Dim>
-void impose_wall_velocity(const State<Dim>& state, Grid<Dim>& grid);
+void impose_wall_velocity(Grid<Dim>& grid);
 
 }  // namespace geodrop

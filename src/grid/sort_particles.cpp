@@ -206,29 +206,36 @@ void clear_block(Grid<Dim>& grid, std::uint32_t block) {
 }
 
 template <int Dim>
-void renew_active_blocks(State<Dim>& state, Grid<Dim>& grid) {
+void renew_active_blocks(const State<Dim>& state, Grid<Dim>& grid) {
   std::vector<std::uint8_t> marks(grid.layout.block_count(), 0);
-  for (const Body<Dim>& body : state.bodies) mark_blocks<Dim>(body.x, grid.layout, marks);
-  for (const Membrane<Dim>& membrane : state.membranes) mark_blocks<Dim>(membrane.x, grid.layout, marks);
+  for (const Body<Dim>& body : state.bodies)
+    if (body.field == grid.field) mark_blocks<Dim>(body.x, grid.layout, marks);
+  for (const Membrane<Dim>& membrane : state.membranes)
+    if (membrane.field == grid.field) mark_blocks<Dim>(membrane.x, grid.layout, marks);
   mark_across_seams(grid.layout, marks);
-  for (const std::uint32_t block : state.active_blocks)
+  for (const std::uint32_t block : grid.active_blocks)
     if (!marks[block]) clear_block(grid, block);
-  state.active_blocks.clear();
+  grid.active_blocks.clear();
   for (std::size_t b = 0; b < marks.size(); ++b)
-    if (marks[b]) state.active_blocks.push_back(static_cast<std::uint32_t>(b));
+    if (marks[b]) grid.active_blocks.push_back(static_cast<std::uint32_t>(b));
 }
 
 }  // namespace
 
 template <int Dim>
-void sort_particles_if_due(State<Dim>& state, Grid<Dim>& grid) {
-  if (state.drift >= 0 && state.drift < allowed_drift_cells * grid.layout.finest) return;
-  for (Body<Dim>& body : state.bodies) sort_body(state, body, grid.layout);
-  renew_active_blocks(state, grid);
-  state.drift = 0;
+void sort_particles_if_due(State<Dim>& state, Grids<Dim>& grids) {
+  const GridLayout<Dim>& layout = grids.front().layout;
+  const bool due = state.drift < 0 || state.drift >= allowed_drift_cells * layout.finest;
+  const bool resumed = !due && grids.front().active_blocks.empty();
+  if (!due && !resumed) return;
+  if (due) {
+    for (Body<Dim>& body : state.bodies) sort_body(state, body, layout);
+    state.drift = 0;
+  }
+  for (Grid<Dim>& grid : grids) renew_active_blocks(state, grid);
 }
 
-template void sort_particles_if_due<2>(State<2>&, Grid<2>&);
-template void sort_particles_if_due<3>(State<3>&, Grid<3>&);
+template void sort_particles_if_due<2>(State<2>&, Grids<2>&);
+template void sort_particles_if_due<3>(State<3>&, Grids<3>&);
 
 }  // namespace geodrop

@@ -10,7 +10,7 @@ namespace geodrop {
 /// found them, i.e. if the accumulated drift reached one cell; otherwise does nothing. Also renews the active blocks.
 /// Throws RunError naming body and particle if a particle is not a finite point of the domain.
 template <int Dim>
-void sort_particles_if_due(State<Dim>& state, Grid<Dim>& grid);
+void sort_particles_if_due(State<Dim>& state, Grids<Dim>& grids);
 
 /// Largest drift since the sort that the colouring and the active blocks allow, in (finest) cells.
 inline constexpr double allowed_drift_cells = 0.99;

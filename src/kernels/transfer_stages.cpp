@@ -36,9 +36,9 @@ void for_each_task(const Body<Dim>& body, F&& f) {
 
 /// Sums over particles become means over the volumes that reach a node.
 template <int Dim>
-void divide_by_volume(const State<Dim>& state, Grid<Dim>& grid, Array<double>& field) {
+void divide_by_volume(Grid<Dim>& grid, Array<double>& field) {
   for_each_seam(grid.layout, [&](int axis) { sum_over_seam(grid.layout, axis, field); });
-  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+  for_each_active_row(grid, [&](int begin, int count, const auto&) {
     for (int node = begin; node < begin + count; ++node)
       if (grid.node_volume[node] > 0) field[node] /= grid.node_volume[node];
   });
@@ -47,8 +47,8 @@ void divide_by_volume(const State<Dim>& state, Grid<Dim>& grid, Array<double>& f
 }  // namespace
 
 template <int Dim>
-void clear_grid(const State<Dim>& state, Grid<Dim>& grid) {
-  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+void clear_grid(Grid<Dim>& grid) {
+  for_each_active_row(grid, [&](int begin, int count, const auto&) {
     const auto zero = [&](auto& field) {
       if (!field.empty())
         std::fill_n(field.begin() + begin, count, typename std::decay_t<decltype(field)>::value_type{});
@@ -63,64 +63,66 @@ void clear_grid(const State<Dim>& state, Grid<Dim>& grid) {
 
 template <int Dim>
 void sum_particles_in_cells(const State<Dim>& state, Grid<Dim>& grid) {
-  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+  for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     sum_cells<Dim>(body, grid, begin, end);
   });
 }
 
 template <int Dim>
 void average_nodal_pressure(const State<Dim>& state, Grid<Dim>& grid) {
-  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+  for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     if (body.pressure == PressureSupport::nodal) sum_nodal_pressure<Dim>(body, grid, begin, end);
   });
   for_each_seam(grid.layout, [&](int axis) { sum_over_seam(grid.layout, axis, grid.node_volume); });
-  divide_by_volume(state, grid, grid.node_pressure);
+  divide_by_volume(grid, grid.node_pressure);
 }
 
 template <int Dim>
 void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid) {
-  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+  for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     if (body.pressure == PressureSupport::nodal) sum_nodal_rate<Dim>(body, grid, begin, end);
   });
-  divide_by_volume(state, grid, grid.node_rate);
+  divide_by_volume(grid, grid.node_rate);
 }
 
 template <int Dim>
 void remap_velocity(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
   const GatherOptions options = gather_options(solver, dt);
   for (Body<Dim>& body : state.bodies)
-    for_each_task(body, [&](std::ptrdiff_t, std::size_t begin, std::size_t end) {
-      update_velocity<Dim>(body, grid, options, begin, end);
-    });
+    if (body.field == grid.field)
+      for_each_task(body, [&](std::ptrdiff_t, std::size_t begin, std::size_t end) {
+        update_velocity<Dim>(body, grid, options, begin, end);
+      });
   update_membrane_velocity(solver, state, grid, dt);
-  for_each_active_row(state, grid.layout,
+  for_each_active_row(grid,
                       [&](int begin, int count, const auto&) { std::fill_n(grid.sum.begin() + begin, count, Vec4{}); });
-  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+  for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     sum_by_mass<Dim>(body, {pointers(body.v), 1.0}, grid.layout, grid.sum.data(), begin, end);
   });
   sum_membrane_momentum(state, grid);
-  fold_walls(state, grid);
-  for_each_active_row(state, grid.layout, [&](int begin, int count, const auto&) {
+  fold_walls(grid);
+  for_each_active_row(grid, [&](int begin, int count, const auto&) {
     for (int node = begin; node < begin + count; ++node) {
       const double m = grid.sum[node][3], inv_m = m > 0 ? 1 / m : 0.0;
       for (int a = 0; a < Dim; ++a) grid.velocity[node][a] = inv_m * grid.sum[node][a];
     }
   });
-  impose_wall_velocity(state, grid);
+  impose_wall_velocity(grid);
 }
 
 template <int Dim>
 void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt) {
-  for_each_slab_by_colour(state, grid.layout, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+  for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
     scatter<Dim>(body, grid, dt, begin, end);
   });
 }
 
 template <int Dim>
-void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
+void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grids<Dim>& grids, double dt) {
   const GatherOptions options = gather_options(solver, dt);
   double v_max = 0, displacement = 0;
   for (Body<Dim>& body : state.bodies) {
+    Grid<Dim>& grid = grids[body.field];
     const std::ptrdiff_t tasks = task_count(body);
     grid.chunk_maxima.assign(2 * tasks, 0.0);
     for_each_task(body, [&](std::ptrdiff_t task, std::size_t begin, std::size_t end) {
@@ -140,13 +142,13 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& g
 }
 
 #define GEODROP_INSTANTIATE(D)                                                     \
-  template void clear_grid<D>(const State<D>&, Grid<D>&);                          \
+  template void clear_grid<D>(Grid<D>&);                                           \
   template void sum_particles_in_cells<D>(const State<D>&, Grid<D>&);              \
   template void average_nodal_pressure<D>(const State<D>&, Grid<D>&);              \
   template void average_nodal_rate<D>(const State<D>&, Grid<D>&);                  \
   template void remap_velocity<D>(const SolverSpec&, State<D>&, Grid<D>&, double); \
   template void particles_to_grid<D>(const State<D>&, Grid<D>&, double);           \
-  template void grid_to_particles<D>(const SolverSpec&, State<D>&, Grid<D>&, double);
+  template void grid_to_particles<D>(const SolverSpec&, State<D>&, Grids<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

@@ -7,7 +7,7 @@ namespace geodrop {
 
 /// Zeroes the fields of the active blocks.
 template <int Dim>
-void clear_grid(const State<Dim>& state, Grid<Dim>& grid);
+void clear_grid(Grid<Dim>& grid);
 
 /// Cell volumes and volume-weighted pressures, colour by colour.
 template <int Dim>
@@ -33,6 +33,6 @@ void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt);
 
 /// Moves all particles and updates their stress; renews State::v_max and adds to State::drift.
 template <int Dim>
-void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt);
+void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grids<Dim>& grids, double dt);
 
 }  // namespace geodrop

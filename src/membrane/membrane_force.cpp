@@ -203,6 +203,7 @@ void clear_membrane_loads(State<Dim>& state) {
 template <int Dim>
 void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt) {
   for (Membrane<Dim>& membrane : state.membranes) {
+    if (membrane.field != grid.field) continue;
     update_tension(membrane);
     membrane_to_grid(membrane, grid, dt);
   }
@@ -214,7 +215,7 @@ void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const
   const double keep = blend ? std::exp(-solver.blend_rate * dt) : 0.0;
   const double damping = std::exp(-solver.damping_rate * dt);
   for (Membrane<Dim>& membrane : state.membranes)
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    for (std::size_t k = 0; membrane.field == grid.field && k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
@@ -226,7 +227,7 @@ void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const
 template <int Dim>
 void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid) {
   for (const Membrane<Dim>& membrane : state.membranes)
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    for (std::size_t k = 0; membrane.field == grid.field && k < membrane.nodes(); ++k) {
       const Vec4 momentum = momentum_of_node(membrane, k);
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       support.for_each_node(grid.layout, [&](int node, double weight) { grid.sum[node] += weight * momentum; });
@@ -238,7 +239,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
   if (solver.transfer != Transfer::musl) update_membrane_velocity(solver, state, grid, dt);
   double displacement = 0;
   for (Membrane<Dim>& membrane : state.membranes)
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    for (std::size_t k = 0; membrane.field == grid.field && k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       for (int a = 0; a < Dim; ++a) {
@@ -253,6 +254,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
 template <int Dim>
 void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
   for (Tracer<Dim>& tracer : state.tracers) {
+    if (tracer.field != grid.field) continue;
     const Vec4 v = interpolate(grid.layout,
                                PointSupport<Dim>(grid.layout, in_domain<Dim>(grid.layout, tracer.x), tracer_half_size),
                                grid.velocity);

@@ -37,31 +37,34 @@ template <class Part>
 auto members(Part& part) {
   using Plain = std::remove_const_t<Part>;
   if constexpr (is_body<Plain>) {
-    auto& [name, material_name, material, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
+    auto& [name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
            weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, id,
            initial_x, layer, slab_begin] = part;
-    return std::tie(name, material_name, material, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
-                    weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, id,
-                    initial_x, layer, slab_begin);
+    return std::tie(name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed,
+                    unit_weight, weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure,
+                    deviatoric_strain, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
-    auto& [name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
+    auto& [name, body, field, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
            strain, tension, tension_peak, load] = part;
-    return std::tie(name, body, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
+    return std::tie(name, body, field, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
                     rest_length, strain, tension, tension_peak, load);
   } else if constexpr (is_contact<Plain>) {
     auto& [membrane, rigid, point, normal, friction, stiffness, slip] = part;
     return std::tie(membrane, rigid, point, normal, friction, stiffness, slip);
+  } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
+    auto& [between, outward, friction, stiffness, reach, slip, force, normal_force] = part;
+    return std::tie(between, outward, friction, stiffness, reach, slip, force, normal_force);
   } else if constexpr (std::is_same_v<Plain, Relaxation>) {
     auto& [kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio, out_of_balance_ratio,
            steps, cycles, cycles_at_rest] = part;
     return std::tie(kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio,
                     out_of_balance_ratio, steps, cycles, cycles_at_rest);
   } else if constexpr (is_tracer<Plain>) {
-    auto& [name, x, v, initial_x] = part;
-    return std::tie(name, x, v, initial_x);
+    auto& [name, x, v, initial_x, field] = part;
+    return std::tie(name, x, v, initial_x, field);
   } else {
-    auto& [t, step, drift, v_max, bodies, membranes, contacts, tracers, relaxation, active_blocks] = part;
-    return std::tie(t, step, drift, v_max, bodies, membranes, contacts, tracers, relaxation, active_blocks);
+    auto& [t, step, drift, v_max, bodies, membranes, contacts, membrane_contacts, tracers, relaxation] = part;
+    return std::tie(t, step, drift, v_max, bodies, membranes, contacts, membrane_contacts, tracers, relaxation);
   }
 }
 

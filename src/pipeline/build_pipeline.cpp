@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <chrono>
 #include <geodrop/pipeline.hpp>
+#include <type_traits>
 
+#include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
 #include "../enclosed/enclosed_fluid.hpp"
 #include "../exact/body_force.hpp"
@@ -34,6 +36,7 @@ template <int Dim>
 Pipeline<Dim> build_pipeline(const Scene& scene) {
   using S = State<Dim>;
   using G = Grid<Dim>;
+  using Fields = Grids<Dim>;
   using C = StepContext;
   const bool shift = any_body(scene, [](const BodySpec& b) { return b.shift; });
   const bool cell_pressure = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
@@ -55,43 +58,51 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
 
   Pipeline<Dim> p;
   const auto add = [&p](bool wanted, std::string name, std::string flow, auto run) {
-    if (wanted) p.push_back({std::move(name), std::move(flow), run, 0.0});
+    if (!wanted) return;
+    if constexpr (std::is_invocable_v<decltype(run), S&, G&, const C&>)  // what one velocity field needs, each needs
+      p.push_back({std::move(name), std::move(flow),
+                   [run](S& s, Fields& fields, const C& c) {
+                     for (G& g : fields) run(s, g, c);
+                   },
+                   0.0});
+    else
+      p.push_back({std::move(name), std::move(flow), run, 0.0});
   };
   const bool cells = cell_pressure || shift;
   // clang-format off
-  add(true,          "sort_particles",    "positions -> order of all particle arrays, active blocks", [](S& s, G& g, const C&) { sort_particles_if_due(s, g); });
-  add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S& s, G& g, const C&) { clear_grid(s, g); });
-  add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
-  add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { average_nodal_pressure(s, g); });
+  add(true,          "sort_particles",    "positions -> order of all particle arrays, active blocks", [](S& s, Fields& f, const C&) { sort_particles_if_due(s, f); });
+  add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S&, G& g, const C&) { clear_grid(g); });
+  add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { if (g.cell_volume.empty()) return; sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
+  add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { if (!g.node_volume.empty()) average_nodal_pressure(s, g); });
   add(enclosed,      "enclosed_cells",    "volume, membrane nodes -> cut cells, their pressure",       [](S& s, G& g, const C&) { update_enclosed_cells(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
-  add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { enclosed_force_to_grid(s, g, g_vector, c.dt); });
+  add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { if (!g.enclosed.empty()) enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
-  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [still](S& s, G& g, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_fluid_loads(s, g); if (!still.still_fluids.empty()) add_still_fluids(still, s); });
+  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [still](S& s, Fields& f, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_membrane_contacts(s, c.dt); for (const G& g : f) add_fluid_loads(s, g); add_still_fluids(still, s); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
-  add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S& s, G& g, const C& c) { fold_walls(s, g); update_momentum<Dim>(s, g, gravity, c.dt); });
-  add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S& s, G& g, const C&) { correct_mass(s, g); });
-  add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, G& g, const C& c) { measure_balance(g_vector, c.dt, s, g); });
+  add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S&, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(g, gravity, c.dt); });
+  add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S&, G& g, const C&) { correct_mass(g); });
+  add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, Fields& f, const C& c) { measure_balance(g_vector, c.dt, s, f); });
   add(musl,          "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
-  add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S& s, G& g, const C&) { cell_volume_rate(s, g); });
-  add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { average_nodal_rate(s, g); });
+  add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S&, G& g, const C&) { if (!g.cell_volume.empty()) cell_volume_rate(g); });
+  add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { if (!g.node_volume.empty()) average_nodal_rate(s, g); });
   add(enclosed,      "enclosed_rate",     "nodal velocity -> volume rate of enclosed cells",           [](S& s, G& g, const C& c) { update_enclosed_rates(s, g, c.dt); });
-  add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, G& g, const C& c) { grid_to_particles(solver, s, g, c.dt); });
+  add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, Fields& f, const C& c) { grid_to_particles(solver, s, f, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
-  add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps, g_vector](S& s, G&, const C& c) { pump_fluid(pumps, g_vector, c, s); });
-  add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, G&, const C&) { damp_kinetically(relaxation, g_vector, s); });
+  add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps, g_vector](S& s, Fields&, const C& c) { pump_fluid(pumps, g_vector, c, s); });
+  add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, Fields&, const C&) { damp_kinetically(relaxation, g_vector, s); });
   // clang-format on
   return p;
 }
 
 template <int Dim>
-void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid) {
+void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids) {
   using Clock = std::chrono::steady_clock;
-  const StepContext step{stable_dt(scene, state, grid.layout), state.t, state.step};
+  const StepContext step{stable_dt(scene, state, grids.front().layout), state.t, state.step};
   auto start = Clock::now();
   for (Stage<Dim>& stage : pipeline) {
-    stage.run(state, grid, step);
+    stage.run(state, grids, step);
     const auto end = Clock::now();
     stage.seconds += std::chrono::duration<double>(end - start).count();
     start = end;
@@ -102,7 +113,7 @@ void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Gri
 
 template Pipeline<2> build_pipeline<2>(const Scene&);
 template Pipeline<3> build_pipeline<3>(const Scene&);
-template void advance<2>(const Scene&, Pipeline<2>&, State<2>&, Grid<2>&);
-template void advance<3>(const Scene&, Pipeline<3>&, State<3>&, Grid<3>&);
+template void advance<2>(const Scene&, Pipeline<2>&, State<2>&, Grids<2>&);
+template void advance<3>(const Scene&, Pipeline<3>&, State<3>&, Grids<3>&);
 
 }  // namespace geodrop

@@ -17,12 +17,12 @@ struct Squares {
 };
 
 template <int Dim>
-Squares sum_squares(const Point& gravity, double dt, const State<Dim>& state, const Grid<Dim>& grid) {
-  const auto blocks = static_cast<std::ptrdiff_t>(state.active_blocks.size());
+void add_squares(const Point& gravity, double dt, const Grid<Dim>& grid, Squares& sum) {
+  const auto blocks = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
   std::vector<Squares> parts(blocks);  // summed in order: the same bits for any number of threads
 #pragma omp parallel for schedule(static) if (blocks >= blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < blocks; ++b)
-    for_each_real_row_of_block(grid.layout, state.active_blocks[b],
+    for_each_real_row_of_block(grid.layout, grid.active_blocks[b],
                                [&](int begin, int count, const std::array<int, Dim>&) {
                                  for (int node = begin; node < begin + count; ++node) {
                                    const double m = grid.sum[node][3];
@@ -33,12 +33,10 @@ Squares sum_squares(const Point& gravity, double dt, const State<Dim>& state, co
                                    }
                                  }
                                });
-  Squares sum;
   for (const Squares& part : parts) {
     sum.force += part.force;
     sum.weight += part.weight;
   }
-  return sum;
 }
 
 template <int Dim>
@@ -57,8 +55,9 @@ void stop_all(State<Dim>& state) {
 }  // namespace
 
 template <int Dim>
-void measure_balance(const Point& gravity, double dt, State<Dim>& state, const Grid<Dim>& grid) {
-  const Squares sum = sum_squares(gravity, dt, state, grid);
+void measure_balance(const Point& gravity, double dt, State<Dim>& state, const Grids<Dim>& grids) {
+  Squares sum;
+  for (const Grid<Dim>& grid : grids) add_squares(gravity, dt, grid, sum);
   double& largest = state.relaxation.out_of_balance_largest;
   largest = std::max(largest, std::sqrt(sum.force / sum.weight));
 }
@@ -91,9 +90,9 @@ bool is_over(const Scene& scene, const State<Dim>& state) {
   return state.t >= scene.time.end || (state.relaxation.cycles_at_rest >= cycles_to_rest && !pumping);
 }
 
-#define GEODROP_INSTANTIATE(D)                                                       \
-  template void measure_balance<D>(const Point&, double, State<D>&, const Grid<D>&); \
-  template bool is_over<D>(const Scene&, const State<D>&);                           \
+#define GEODROP_INSTANTIATE(D)                                                        \
+  template void measure_balance<D>(const Point&, double, State<D>&, const Grids<D>&); \
+  template bool is_over<D>(const Scene&, const State<D>&);                            \
   template void damp_kinetically<D>(const RelaxationSpec&, const Point&, State<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -22,7 +22,7 @@ inline constexpr std::uint64_t shortest_cycle = 50;
 
 /// The out-of-balance ratio from the change of nodal velocities during the step.
 template <int Dim>
-void measure_balance(const Point& gravity, double dt, State<Dim>& state, const Grid<Dim>& grid);
+void measure_balance(const Point& gravity, double dt, State<Dim>& state, const Grids<Dim>& grids);
 
 /// Follows the kinetic energy; at its peak ends the cycle and all motion.
 template <int Dim>

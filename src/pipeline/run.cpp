@@ -21,7 +21,7 @@ void write_due_output(Output<Dim>& output, State<Dim>& state) {
 
 /// Steps until `end` or a stop signal. On a broken run the status says failed; the state is as the break left it.
 template <int Dim>
-RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grid<Dim>& grid,
+RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids,
                          Output<Dim>& output) {
   RunStatistics statistics;
   const std::uint64_t first_step = state.step;
@@ -29,7 +29,7 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   try {
     statistics.facts = state_facts(scene, state);
     while (state.t < end && !is_over(scene, state) && !stop_requested()) {
-      advance(scene, pipeline, state, grid);
+      advance(scene, pipeline, state, grids);
       write_due_output(output, state);
       output.progress(state.t, state.step);
     }
@@ -57,13 +57,13 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
   if (!options.resume) state = build_state<Dim>(scene);
   Output<Dim> output(scene, options);
   if (options.resume) state = output.resume();
-  Grid<Dim> grid = make_grid<Dim>(scene);
+  Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   catch_stop_signals();
   if (!options.resume) output.start(Frame<Dim>(state));
 
   const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
-  RunStatistics statistics = step_until(end, scene, pipeline, state, grid, output);
+  RunStatistics statistics = step_until(end, scene, pipeline, state, grids, output);
   // A run that ends before its scene does, by signal or by --until, can go on later.
   const bool unfinished = statistics.status == RunStatus::stopped ||
                           (statistics.status == RunStatus::done && end < scene.time.end && !is_over(scene, state));

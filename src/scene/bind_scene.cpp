@@ -170,7 +170,7 @@ RigidSpec bind_rigid(const Fields& f, SourceRef at) {
 ContactSpec bind_contact(const Fields& f, SourceRef at) {
   std::vector<std::string> between = f.names("between");
   if (between.size() != 2) between.assign(2, "");  // check_contacts refuses that
-  return {between[0], between[1], f.real("friction"), f.real("stiffness"), at};
+  return {{between[0], between[1]}, f.real("friction"), f.real("stiffness"), at};
 }
 
 StillFluidSpec bind_still_fluid(const Fields& f, SourceRef at) {

@@ -49,18 +49,19 @@ void check_contacts(const Scene& scene, Report& report) {
     const ContactSpec& contact = scene.contacts[i];
     const std::string& key = report.element("contacts", i);
     if (!report.healthy(key + ".between")) continue;
-    if (contact.rigid.empty()) {
-      report.add(key + ".between", "another number of names than two", "a membrane and a rigid body");
+    const auto& [first, second] = contact.between;
+    if (second.empty()) {
+      report.add(key + ".between", "another number of names than two",
+                 "a membrane and a rigid body, two membranes, or one membrane twice for its own folds");
       continue;
     }
-    const bool known =
-        check_reference(key + ".between", contact.membrane, names_of(scene.membranes), "membranes", report) &&
-        check_reference(key + ".between", contact.rigid, names_of(scene.rigid), "rigid", report);
+    if (!check_reference(key + ".between", first, names_of(scene.membranes), "membranes", report)) continue;
+    if (is_named(scene.membranes, second)) continue;
+    const bool known = check_reference(key + ".between", second, names_of(scene.rigid), "rigid", report);
     if (!known || !report.healthy("rigid") || !report.healthy("membranes") || !report.healthy("grid") ||
         !report.healthy("dimension") || !report.healthy("bodies"))
       continue;
-    check_start(scene, find_named(scene.membranes, contact.membrane), find_named(scene.rigid, contact.rigid), key,
-                report);
+    check_start(scene, find_named(scene.membranes, first), find_named(scene.rigid, second), key, report);
   }
 }
 

@@ -211,7 +211,7 @@ constexpr Key keys[] = {
     {"membranes", "body", name, "", "", required, reference, "the body on whose outline it lies"},
     {"membranes", "points", points, "m", "", standard("[]"), any, "the polyline, each point on the body's outline; empty: the whole outline"},
     {"membranes", "closed", boolean, "", "", standard("true"), yes_no, "the last point joins the first"},
-    {"membranes", "axial_stiffness", real, "N/m", "", required, positive, "J, tension per strain"},
+    {"membranes", "axial_stiffness", real, "N/m", "", required, not_negative, "J, tension per strain; 0 with mass_per_area = 0: a skin that only carries contact"},
     {"membranes", "mass_per_area", real, "kg/m2", "", required, not_negative, "mass per area"},
     {"membranes", "strength", real, "N/m", "", required, positive, "tension at which it would tear"},
     {"membranes", "slack", real, "", "", required, not_negative, "rest length / drawn length - 1"},
@@ -225,7 +225,7 @@ constexpr Key keys[] = {
     {"rigid.shape", "point", point, "m", "", required, any, "a point of the boundary"},
     {"rigid.shape", "normal", point, "", "", required, any, "points out of the rigid body; of any length"},
 
-    {"contacts", "between", names, "", "", required, reference, "a membrane and a rigid body"},
+    {"contacts", "between", names, "", "", required, reference, "a membrane and a rigid body, two membranes, or one membrane twice for its own folds"},
     {"contacts", "friction", real, "", "", required, not_negative, "coefficient of Coulomb friction"},
     {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body behind the membrane, h the cell"},
 

@@ -2,12 +2,17 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/exact.hpp>
+#include <geodrop/find_named.hpp>
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/measure.hpp>
 #include <geodrop/pipeline.hpp>
 #include <geodrop/shapes.hpp>
+#include <geodrop/velocity_fields.hpp>
+#include <limits>
+#include <map>
 #include <numbers>
 
+#include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
 #include "fill_particles.hpp"
 #include "initial_stress.hpp"
@@ -161,6 +166,21 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   return membrane;
 }
 
+/// Field of the body with the particle nearest to x.
+template <int Dim>
+int field_at(const State<Dim>& state, const std::array<double, Dim>& x) {
+  double nearest = std::numeric_limits<double>::infinity();
+  int field = 0;
+  const Vec<Dim> at(x.data());
+  for (const Body<Dim>& body : state.bodies)
+    for (std::size_t p = 0; p < body.size(); ++p)
+      if (const double distance = (vector_at(body.x, p) - at).squaredNorm(); distance < nearest) {
+        nearest = distance;
+        field = body.field;
+      }
+  return field;
+}
+
 template <int Dim, class Wanted>
 void allocate_loads(State<Dim>& state, Wanted wanted) {
   for (Membrane<Dim>& membrane : state.membranes)
@@ -171,12 +191,12 @@ void allocate_loads(State<Dim>& state, Wanted wanted) {
 /// Splits the initial pressure of enclosed fluids into that of their weight below their highest point, and the rest.
 template <int Dim>
 void enclose_fluids(const Scene& scene, State<Dim>& state) {
-  int count = 0;
+  std::map<int, int> count;  // by field
   for (Body<Dim>& body : state.bodies) {
     if (body.pressure != PressureSupport::enclosed) continue;
     const auto& fluid = std::get<Newtonian>(body.material);
     const Array<double>& height = body.x[vertical_axis<Dim>];
-    body.enclosed = count++;
+    body.enclosed = count[body.field]++;
     body.unit_weight = -scene.gravity[vertical_axis<Dim>] * fluid.density;
     body.weightless_level = *std::max_element(height.begin(), height.end());
     for (std::size_t p = 0; p < body.size(); ++p) {
@@ -193,14 +213,26 @@ template <int Dim>
 State<Dim> build_state(const Scene& scene) {
   State<Dim> state;
   state.drift = -1;  // sort before the first step
-  for (const BodySpec& spec : scene.bodies) state.bodies.push_back(build_body<Dim>(scene, spec));
+  const std::vector<int> fields = velocity_fields(scene);
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    state.bodies.push_back(build_body<Dim>(scene, scene.bodies[b]));
+    state.bodies.back().field = fields[b];
+  }
   if (scene.solver.transfer == Transfer::musl)  // it knows no gradients, and never renews them
     for (Body<Dim>& body : state.bodies)
       for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
-  for (const MembraneSpec& spec : scene.membranes) state.membranes.push_back(build_membrane<Dim>(scene, spec));
+  for (const MembraneSpec& spec : scene.membranes) {
+    state.membranes.push_back(build_membrane<Dim>(scene, spec));
+    state.membranes.back().field = find_named(state.bodies, spec.body).field;
+  }
   for (const ContactSpec& spec : scene.contacts) {
-    state.contacts.push_back(make_contact(scene, spec, state));
-    allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
+    if constexpr (Dim == 2)
+      if (is_named(scene.membranes, spec.between[1]))
+        state.membrane_contacts.push_back(make_membrane_contact(scene, spec, state));
+    if (is_named(scene.rigid, spec.between[1])) state.contacts.push_back(make_contact(scene, spec, state));
+    allocate_loads(state, [&](const Membrane<Dim>& membrane) {
+      return membrane.name == spec.between[0] || membrane.name == spec.between[1];
+    });
   }
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
@@ -211,6 +243,7 @@ State<Dim> build_state(const Scene& scene) {
     Tracer<Dim> t{tracer->name, {}, {}, {}};
     std::copy_n(tracer->position.begin(), Dim, t.x.begin());
     t.initial_x = t.x;
+    t.field = field_at<Dim>(state, t.x);
     state.tracers.push_back(t);
   }
   for (const Body<Dim>& body : state.bodies)

@@ -23,7 +23,7 @@ template <int Dim>
 Moved move_block(const Benchmark& bench) {
   const Scene scene = block_scene(bench, {1e3, 1});
   State<Dim> state = build_state<Dim>(scene);
-  Grid<Dim> grid = make_grid<Dim>(scene);
+  Grids<Dim> grid = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   set_in_motion<Dim>(scene, 1, state);
   const auto mean = [&] {

@@ -42,7 +42,7 @@ std::array<double, 2> load_inside(State<2>& state) {
 
 /// Steps until the run is over; true if that is because it has come to rest.
 bool comes_to_rest(const Scene& scene, State<2>& state) {
-  Grid<2> grid = make_grid<2>(scene);
+  Grids<2> grid = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
   while (!is_over(scene, state)) advance(scene, pipeline, state, grid);
   return state.t < scene.time.end;

@@ -30,7 +30,7 @@ struct Tube {
     draw_membrane(seed);
     fill();
     state.drift = -1;
-    sort_particles_if_due(state, grid);
+    sort_particles(state, grid);
     update_enclosed_cells(state, grid);
   }
 
@@ -218,7 +218,7 @@ TEST_CASE("Gravity is taken from the enclosed fluid, also where there are other 
       for (auto& component : other.x) component.assign(other.size(), 2.0);
       tube.state.bodies.push_back(other);
       tube.state.drift = -1;
-      sort_particles_if_due(tube.state, tube.grid);
+      sort_particles(tube.state, tube.grid);
     }
     particles_to_grid(tube.state, tube.grid, dt);
     enclosed_force_to_grid(tube.state, tube.grid, {0, -9.81}, dt);

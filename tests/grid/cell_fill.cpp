@@ -24,8 +24,8 @@ struct Tank {
     state.drift = -1;
   }
   void average(bool shift = false) {
-    sort_particles_if_due(state, grid);
-    clear_grid(state, grid);
+    sort_particles(state, grid);
+    clear_grid(grid);
     sum_particles_in_cells(state, grid);
     average_cell_pressure(state, grid, shift);
   }

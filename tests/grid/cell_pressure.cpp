@@ -18,12 +18,12 @@ struct Box {
   State<Dim> state;
 
   Box(int cells, WallKind wall) : Box(box_scene<Dim>(cells, 0.25, wall)) {}
-  explicit Box(const Scene& scene) : grid(make_grid<Dim>(scene)) { activate_all_blocks(state, grid.layout); }
+  explicit Box(const Scene& scene) : grid(make_grid<Dim>(scene)) { activate_all_blocks(grid); }
 
   /// Cell pressure's force on all nodes [N].
   std::vector<Vec4> forces() const {
     std::vector<Vec4> out(grid.layout.nodes(), Vec4{});
-    for (const std::uint32_t block : state.active_blocks)
+    for (const std::uint32_t block : grid.active_blocks)
       for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>& node) {
         const RowForce<Dim> row = cell_pressure_force<Dim>(grid, begin, count, node);
         for (int k = 0; k < count; ++k)
@@ -53,7 +53,7 @@ double adjoint_error(Box<Dim> box, unsigned seed) {
     for (int a = 0; a < Dim; ++a) grid.velocity[flat][a] = stuck || box.on_wall(i, a) ? 0 : random.uniform(-1, 1);
   });
   const auto force = box.forces();
-  cell_volume_rate(box.state, grid);
+  cell_volume_rate(grid);
   double power = 0, size = 0, stored = 0;
   for_each_node(grid.layout, 0, [&](int flat, const auto&) {
     for (int a = 0; a < Dim; ++a) {
@@ -102,7 +102,7 @@ double divergence_error(Box<Dim> box) {
     }
     grid.cell_volume[flat] = volume;
   });
-  cell_volume_rate(box.state, grid);
+  cell_volume_rate(grid);
   double largest = 0;
   for_each_node(layout, 0, [&](int flat, const std::array<int, Dim>& i) {
     bool below_upper = true;
@@ -162,7 +162,7 @@ TEST_CASE("A cell that is not filled has no volume rate") {
     box.grid.cell_volume[flat] = 0.01;
     box.grid.cell_flags[flat] = cell_shiftable;
   });
-  cell_volume_rate(box.state, box.grid);
+  cell_volume_rate(box.grid);
   for (const double rate : box.grid.volume_rate) CHECK(rate == 0);
 }
 

@@ -44,21 +44,21 @@ template <int Dim>
 double difference_from_particles(Basis basis, int cells) {
   Grid<Dim> grid = consistent_grid<Dim>(cells, basis, WallKind::slip);
   State<Dim> state;
-  activate_all_blocks(state, grid.layout);
+  activate_all_blocks(grid);
   Body<Dim> body = lattice_body<Dim>(grid.layout, LinearElastic{1000, 2e6, 1e6}, 4);
   const auto sum_of = [&](const auto& u) {
     std::fill(grid.sum.begin(), grid.sum.end(), Vec4{});
     sum_by_mass<Dim>(body, {pointers(u), 1.0}, grid.layout, grid.sum.data(), 0, body.size());
-    fold_walls(state, grid);
+    fold_walls(grid);
   };
   for_each_node(grid.layout, 0, [&](int flat, const auto& i) {
     grid.velocity[flat] = grid.velocity_change[flat] = standing_wave<Dim>(i, cells);
   });
-  impose_wall_velocity(state, grid);
+  impose_wall_velocity(grid);
   const Array<Vec4> wave = grid.velocity;
   update_velocity<Dim>(body, grid, {Transfer::musl, 0.0, 0.0, 1.0}, 0, body.size());
   sum_of(body.v);
-  correct_mass(state, grid);
+  correct_mass(grid);
   double difference = 0, size = 0;
   for_each_node(grid.layout, 0, [&](int flat, const auto&) {
     for (int a = 0; a < Dim; ++a) {
@@ -89,7 +89,7 @@ TEST_CASE("Uneven masses: momentum is kept to round-off, a uniform change stays 
   for (const WallKind wall : {WallKind::slip, WallKind::periodic}) {
     Grid<2> grid = consistent_grid<2>(12, Basis::bspline2, wall);
     State<2> state;
-    activate_all_blocks(state, grid.layout);
+    activate_all_blocks(grid);
     Random random;
     const int margin = 3;
     for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
@@ -98,7 +98,7 @@ TEST_CASE("Uneven masses: momentum is kept to round-off, a uniform change stays 
       grid.velocity_change[flat] = Vec4{random.uniform(-1, 1), 0.7, 0, 0};
     });
     const Array<Vec4> before = grid.velocity_change;
-    correct_mass(state, grid);
+    correct_mass(grid);
     double momentum = 0, size = 0;
     for_each_node(grid.layout, 0, [&](int flat, const auto&) {
       if (grid.sum[flat][3] <= 0) return;

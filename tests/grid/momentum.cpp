@@ -21,7 +21,7 @@ struct Nodes {
 
   Nodes(int cells, int margin, WallKind wall, Transfer transfer)
       : grid(make_grid<Dim>(box_scene<Dim>(cells, 0.5, wall, transfer))) {
-    activate_all_blocks(state, grid.layout);
+    activate_all_blocks(grid);
     Random random;
     for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
       for (int a = 0; a < Dim; ++a)
@@ -36,7 +36,7 @@ struct Nodes {
       if (random.uniform(0, 1) < 0.7) grid.cell_pressure[flat] = random.uniform(0, 300);
     });
   }
-  void update() { update_momentum<Dim>(state, grid, gravity, dt); }
+  void update() { update_momentum<Dim>(grid, gravity, dt); }
 };
 
 /// |sum m v' - sum (m v + dt f)| / sum m |v'|; cell pressures away from the walls push with no resultant.
@@ -148,7 +148,7 @@ TEST_CASE("On graded axes a node is light by what its own spline holds") {
   scene.bodies[0].pressure = PressureSupport::particle;
   Grid<2> grid = make_grid<2>(scene);
   State<2> state;
-  activate_all_blocks(state, grid.layout);
+  activate_all_blocks(grid);
   const std::array<int, 2> fine{grid.layout.base(0, 1.65), grid.layout.base(1, 2.7)};
   const double own = grid.light_mass * grid.layout.spline_width(0, fine[0]) * grid.layout.spline_width(1, fine[1]);
   CHECK(own < 0.1 * grid.light_mass);
@@ -156,10 +156,10 @@ TEST_CASE("On graded axes a node is light by what its own spline holds") {
   grid.sum[node][3] = 2 * own;
   grid.force[node][0] = 1;
   grid.sum[node + 1][3] = 1e3 * own;  // takes what a light node cannot
-  update_momentum<2>(state, grid, {0, 0}, dt);
+  update_momentum<2>(grid, {0, 0}, dt);
   CHECK(grid.velocity[node][0] == doctest::Approx(dt / (2 * own)).epsilon(1e-12));
   // Half as heavy as light, it keeps half of its impulse, and with it the velocity of a light node.
   grid.sum[node][3] = 0.5 * own;
-  update_momentum<2>(state, grid, {0, 0}, dt);
+  update_momentum<2>(grid, {0, 0}, dt);
   CHECK(grid.velocity[node][0] == doctest::Approx(dt / own).epsilon(2e-3));
 }

@@ -27,7 +27,7 @@ struct Sorted {
       for (int a = 0; a < Dim; ++a) state.bodies[0].x[a][p * 7] = random.uniform(4.8, 5.2);
     state.drift = -1;
     before = state;
-    sort_particles_if_due(state, grid);
+    sort_particles(state, grid);
   }
 };
 
@@ -89,7 +89,7 @@ void check_order(const Body<Dim>& body, const GridLayout<Dim>& layout) {
 
 std::string error_of(State<2>& state, Grid<2>& grid) {
   try {
-    sort_particles_if_due(state, grid);
+    sort_particles(state, grid);
   } catch (const RunError& error) {
     return error.what();
   }
@@ -120,7 +120,7 @@ TEST_CASE("Particles with empty slabs below, between and above them are sorted a
   for (std::size_t p = 0; p < 1500; ++p) state.bodies[0].x[1][p] += 8;
   state.drift = -1;
   const State<3> before = state;
-  sort_particles_if_due(state, grid);
+  sort_particles(state, grid);
   check_complete(state.bodies[0], before.bodies[0]);
   check_order(state.bodies[0], grid.layout);
 }
@@ -138,11 +138,11 @@ TEST_CASE("Nothing is sorted before the drift may have reached a cell") {
   std::iota(body.id.begin(), body.id.end(), 0U);   // stable: order before this sort
   const Array<std::uint32_t> order = body.id;
   run.state.drift = 0.98 * 0.5;
-  sort_particles_if_due(run.state, run.grid);
+  sort_particles(run.state, run.grid);
   CHECK(body.id == order);
   CHECK(run.state.drift == 0.98 * 0.5);
   run.state.drift = 0.5;
-  sort_particles_if_due(run.state, run.grid);
+  sort_particles(run.state, run.grid);
   CHECK(body.id != order);
   CHECK(run.state.drift == 0);
   check_order(body, run.grid.layout);
@@ -156,7 +156,7 @@ TEST_CASE("Active blocks hold every node that a particle can reach with one cell
     const int by = (y + GridLayout<2>::pad) / GridLayout<2>::block_width[1];
     return static_cast<std::uint32_t>(bx + by * layout.blocks[0]);
   };
-  const auto& active = run.state.active_blocks;
+  const auto& active = run.grid.active_blocks;
   CHECK(std::is_sorted(active.begin(), active.end()));
   const Body<2>& body = run.state.bodies[0];
   std::size_t missing = 0;
@@ -178,9 +178,9 @@ TEST_CASE("Fields of a block that particles left are zero") {
   Sorted<2> run(0, 3);
   std::fill(run.grid.velocity.begin(), run.grid.velocity.end(), Vec4{1, 1, 1, 1});
   std::fill(run.grid.sum.begin(), run.grid.sum.end(), Vec4{1, 1, 1, 1});
-  activate_all_blocks(run.state, run.grid.layout);
+  activate_all_blocks(run.grid);
   run.state.drift = -1;
-  sort_particles_if_due(run.state, run.grid);
+  sort_particles(run.state, run.grid);
   const int far = run.grid.layout.index({20, 20});
   CHECK(largest_component(run.grid.velocity[far]) == 0);
   CHECK(largest_component(run.grid.sum[far]) == 0);

@@ -50,8 +50,8 @@ void check_wall(WallKind wall) {
   const Body<2> both = with_images(body, wall);
   scatter<2>(body, folded, 0.1, 0, body.size());
   State<2> state;
-  activate_all_blocks(state, folded.layout);
-  fold_walls(state, folded);
+  activate_all_blocks(folded);
+  fold_walls(folded);
   scatter<2>(both, mirrored, 0.1, 0, both.size());
   double worst_sum = 0, worst_force = 0;
   for (int i = 1; i <= 8; ++i)
@@ -78,8 +78,8 @@ TEST_CASE("Folding at all walls and corners keeps the mass, and leaves nothing b
   const Body<3> body = random_body<3>(2000, 0, 2.5, random);
   scatter<3>(body, grid, 0.1, 0, body.size());
   State<3> state;
-  activate_all_blocks(state, grid.layout);
-  fold_walls(state, grid);
+  activate_all_blocks(grid);
+  fold_walls(grid);
   double mass = 0, expected = 0, beyond = 0;
   for (const double m : body.mass) expected += m;
   for_each_node(grid.layout, 0, [&](int flat, const auto&) { mass += grid.sum[flat][3]; });
@@ -103,16 +103,16 @@ TEST_CASE("Visiting the active blocks only gives the same bits as visiting all o
   state.bodies = {random_body<3>(500, 0, 2, random), random_body<3>(500, 0, 2, random)};
   for (double& x : state.bodies[1].x[0]) x = 20 - x;
   Grid<3> some = make_grid<3>(scene);
-  sort_particles_if_due(state, some);
-  REQUIRE(state.active_blocks.size() < static_cast<std::size_t>(some.layout.block_count()) / 4);
+  sort_particles(state, some);
+  REQUIRE(some.active_blocks.size() < static_cast<std::size_t>(some.layout.block_count()) / 4);
   for (const Body<3>& body : state.bodies) scatter<3>(body, some, 0.1, 0, body.size());
   Grid<3> all = some;
   State<3> everywhere;
-  activate_all_blocks(everywhere, all.layout);
-  fold_walls(state, some);
-  fold_walls(everywhere, all);
-  update_momentum<3>(state, some, {}, 0.1);
-  update_momentum<3>(everywhere, all, {}, 0.1);
+  activate_all_blocks(all);
+  fold_walls(some);
+  fold_walls(all);
+  update_momentum<3>(some, {}, 0.1);
+  update_momentum<3>(all, {}, 0.1);
   double worst = 0, ghosts = 0;
   for_each_node(all.layout, 2, [&](int flat, const std::array<int, 3>& i) {
     for (const auto field : {&Grid<3>::sum, &Grid<3>::force, &Grid<3>::velocity, &Grid<3>::velocity_change})

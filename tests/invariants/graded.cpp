@@ -15,9 +15,10 @@ template <int Dim>
 struct Run {
   Scene scene;
   State<Dim> state;
-  Grid<Dim> grid;
+  Grids<Dim> grid;
 
-  Run(const Scene& scene_in, int steps) : scene(scene_in), state(build_state<Dim>(scene)), grid(make_grid<Dim>(scene)) {
+  Run(const Scene& scene_in, int steps)
+      : scene(scene_in), state(build_state<Dim>(scene)), grid(make_grids<Dim>(scene)) {
     Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
     for (int k = 0; k < steps; ++k) advance(scene, pipeline, state, grid);
   }
@@ -35,7 +36,7 @@ double difference(const Run<Dim>& a, const Run<Dim>& b) {
     for (std::size_t p = 0; p < one.size(); ++p) {
       const std::size_t q = place[one.id[p]];
       for (int d = 0; d < Dim; ++d) {
-        worst = std::max(worst, std::abs(one.x[d][p] - two.x[d][q]) / a.grid.layout.h);
+        worst = std::max(worst, std::abs(one.x[d][p] - two.x[d][q]) / a.grid.front().layout.h);
         worst = std::max(worst, std::abs(one.v[d][p] - two.v[d][q]) / a.state.v_max);
       }
       worst = std::max(worst, std::abs(one.J[p] - two.J[q]));
@@ -44,8 +45,8 @@ double difference(const Run<Dim>& a, const Run<Dim>& b) {
   for (std::size_t m = 0; m < a.state.membranes.size(); ++m)
     for (std::size_t k = 0; k < a.state.membranes[m].nodes(); ++k)
       for (int d = 0; d < Dim; ++d)
-        worst =
-            std::max(worst, std::abs(a.state.membranes[m].x[d][k] - b.state.membranes[m].x[d][k]) / a.grid.layout.h);
+        worst = std::max(
+            worst, std::abs(a.state.membranes[m].x[d][k] - b.state.membranes[m].x[d][k]) / a.grid.front().layout.h);
   return worst;
 }
 
@@ -63,8 +64,8 @@ template <int Dim>
 void check_idle_zones(const std::string& path, const std::vector<std::string>& overrides, int steps) {
   const Scene scene = read_scene(source_path(path), overrides);
   const Run<Dim> uniform(scene, steps), graded(with_idle_zones(scene), steps);
-  REQUIRE(graded.grid.layout.graded());
-  CHECK(graded.grid.layout.cells == uniform.grid.layout.cells);
+  REQUIRE(graded.grid.front().layout.graded());
+  CHECK(graded.grid.front().layout.cells == uniform.grid.front().layout.cells);
   const double worst = difference(uniform, graded);
   MESSAGE(path, ": ", worst);
   CHECK(worst < 1e-9);

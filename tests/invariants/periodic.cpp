@@ -16,13 +16,13 @@ namespace {
 struct Drift {
   Scene scene;
   State<2> state;
-  Grid<2> grid;
+  Grids<2> grid;
   Pipeline<2> pipeline;
 
   Drift(const std::vector<std::string>& overrides, const std::array<double, 2>& offset) {
     scene = read_scene(source_path("tests/scenes/periodic.toml"), overrides);
     state = build_state<2>(scene);
-    grid = make_grid<2>(scene);
+    grid = make_grids<2>(scene);
     pipeline = build_pipeline<2>(scene);
     for (Body<2>& body : state.bodies)
       for (std::size_t p = 0; p < body.size(); ++p) {
@@ -30,7 +30,7 @@ struct Drift {
         const double x = body.x[0][p], y = body.x[1][p];
         body.v[0][p] += 0.3 * std::sin(2 * x) * std::cos(3 * y);
         body.v[1][p] += 0.2 * std::cos(x + y);
-        for (int a = 0; a < 2; ++a) body.x[a][p] = grid.layout.wrapped(a, body.x[a][p] + offset[a]);
+        for (int a = 0; a < 2; ++a) body.x[a][p] = grid.front().layout.wrapped(a, body.x[a][p] + offset[a]);
       }
   }
   void run(int steps) {
@@ -61,7 +61,7 @@ std::array<double, 2> differences(const Drift& a, const Drift& b, const std::arr
     const auto in_one = by_id(one), in_two = by_id(two);
     for (std::size_t id = 0; id < one.size(); ++id)
       for (int c = 0; c < 2; ++c) {
-        const double period = a.grid.layout.upper[c] - a.grid.layout.lower[c];
+        const double period = a.grid.front().layout.upper[c] - a.grid.front().layout.lower[c];
         const double apart = two.x[c][in_two[id]] - one.x[c][in_one[id]] - offset[c];
         worst[0] = std::max(worst[0], std::abs(apart - period * std::round(apart / period)));
         worst[1] = std::max(worst[1], std::abs(two.v[c][in_two[id]] - one.v[c][in_one[id]]));
@@ -93,7 +93,7 @@ void check_momentum(const std::vector<std::string>& overrides) {
   const auto after = drift.momentum_and_mass();
   CHECK(after[2] == doctest::Approx(before[2]).epsilon(1e-14));
   for (int a = 0; a < 2; ++a) CHECK(std::abs(after[a] - before[a]) <= 1e-12 * 4 * before[2]);
-  const GridLayout<2>& layout = drift.grid.layout;
+  const GridLayout<2>& layout = drift.grid.front().layout;
   for (const Body<2>& body : drift.state.bodies)
     for (int a = 0; a < 2; ++a)
       for (const double x : body.x[a]) {
@@ -116,17 +116,17 @@ TEST_CASE("After three domain lengths momentum and mass are those of the start, 
 TEST_CASE("Nodes, ghosts and cells on both sides of a periodic seam hold the same bits") {
   Drift drift({}, offset);
   drift.run(20);
-  const GridLayout<2>& layout = drift.grid.layout;
+  const GridLayout<2>& layout = drift.grid.front().layout;
   int compared = 0;
   test::for_each_node(layout, 2, [&](int flat, const std::array<int, 2>& i) {
     std::array<int, 2> image = i;
     for (int a = 0; a < 2; ++a) image[a] = (i[a] + layout.cells[a]) % layout.cells[a];
     if (image == i) return;
     const int twin = layout.index(image);
-    for (int c = 0; c < 4; ++c) CHECK(drift.grid.velocity[flat][c] == drift.grid.velocity[twin][c]);
-    CHECK(drift.grid.cell_flags[flat] == drift.grid.cell_flags[twin]);
-    CHECK(drift.grid.cell_pressure[flat] == drift.grid.cell_pressure[twin]);
-    CHECK(drift.grid.volume_rate[flat] == drift.grid.volume_rate[twin]);
+    for (int c = 0; c < 4; ++c) CHECK(drift.grid.front().velocity[flat][c] == drift.grid.front().velocity[twin][c]);
+    CHECK(drift.grid.front().cell_flags[flat] == drift.grid.front().cell_flags[twin]);
+    CHECK(drift.grid.front().cell_pressure[flat] == drift.grid.front().cell_pressure[twin]);
+    CHECK(drift.grid.front().volume_rate[flat] == drift.grid.front().volume_rate[twin]);
     ++compared;
   });
   CHECK(compared > 100);
@@ -141,9 +141,9 @@ TEST_CASE("In three dimensions particles up to a cell beyond periodic walls give
     for (double& x : body.x[a]) x = inside.layout.wrapped(a, x);
   scatter<3>(body, inside, 0.1, 0, body.size());
   State<3> state;
-  test::activate_all_blocks(state, beyond.layout);
-  fold_walls(state, beyond);
-  fold_walls(state, inside);
+  test::activate_all_blocks(beyond);
+  fold_walls(beyond);
+  fold_walls(inside);
   double mass = 0, expected = 0, apart = 0;
   for (const double m : body.mass) expected += m;
   test::for_each_node(beyond.layout, 0, [&](int flat, const std::array<int, 3>& i) {

@@ -14,7 +14,7 @@ namespace {
 template <int Dim>
 State<Dim> run_steps(const Scene& scene, int steps) {
   State<Dim> state = build_state<Dim>(scene);
-  Grid<Dim> grid = make_grid<Dim>(scene);
+  Grids<Dim> grid = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   for (int k = 0; k < steps; ++k) advance(scene, pipeline, state, grid);
   return state;

@@ -204,7 +204,7 @@ void check_nodal_adjoint() {
   scene.bodies[0].pressure = PressureSupport::nodal;
   Grid<Dim> grid = make_grid<Dim>(scene);
   State<Dim> state;
-  activate_all_blocks(state, grid.layout);
+  activate_all_blocks(grid);
   state.bodies = {random_body<Dim>(400, 0.01 * h, 5.99 * h, random)};
   Body<Dim>& body = state.bodies[0];
   body.pressure = PressureSupport::nodal;

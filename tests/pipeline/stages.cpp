@@ -101,12 +101,12 @@ TEST_CASE("Grid arrays of features that a case does not use have length zero") {
 TEST_CASE("A step runs every stage once, in order, and then advances the clock") {
   const Scene scene = read_scene(source_path("cases/hydrostatic_column.toml"));
   State<2> state = build_state<2>(scene);
-  Grid<2> grid = make_grid<2>(scene);
+  Grids<2> grid = make_grids<2>(scene);
   std::vector<int> order;
   Pipeline<2> pipeline;
   double seen = -1;
   for (int k = 0; k < 3; ++k)
-    pipeline.push_back({"stage", "", [&order, &seen, k](State<2>& s, Grid<2>&, const StepContext& step) {
+    pipeline.push_back({"stage", "", [&order, &seen, k](State<2>& s, Grids<2>&, const StepContext& step) {
                           order.push_back(k);
                           CHECK(step.step == 0);
                           CHECK(s.t == 0);

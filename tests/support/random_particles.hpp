@@ -10,6 +10,9 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
+
+#include "grid/sort_particles.hpp"
 
 namespace geodrop::test {
 
@@ -115,10 +118,19 @@ Body<Dim> lattice_body(const GridLayout<Dim>& layout, const Material& material, 
   return body;
 }
 
+/// Sorts particles that share one velocity field.
 template <int Dim>
-void activate_all_blocks(State<Dim>& state, const GridLayout<Dim>& layout) {
-  state.active_blocks.resize(layout.block_count());
-  std::iota(state.active_blocks.begin(), state.active_blocks.end(), 0U);
+void sort_particles(State<Dim>& state, Grid<Dim>& grid) {
+  Grids<Dim> only(1);
+  std::swap(only.front(), grid);
+  sort_particles_if_due(state, only);
+  std::swap(only.front(), grid);
+}
+
+template <int Dim>
+void activate_all_blocks(Grid<Dim>& grid) {
+  grid.active_blocks.resize(grid.layout.block_count());
+  std::iota(grid.active_blocks.begin(), grid.active_blocks.end(), 0U);
 }
 
 /// f(flat index, integer coordinates) for every node of the domain; with `ghosts` > 0 for that many beyond it, too.

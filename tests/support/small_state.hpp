@@ -86,7 +86,6 @@ inline State<2> small_state() {
   state.bodies[1].deviatoric_strain.assign(4, 0.0);
   state.membranes = {square_membrane()};
   state.tracers = {{"cork", {0.75, 0.25}, {0.1, -0.2}, {0.5, 0.5}}};
-  state.active_blocks = {0, 1, 5};
   return state;
 }
 

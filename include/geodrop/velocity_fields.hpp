@@ -1,0 +1,17 @@
+// Which bodies move with which velocity field.
+#pragma once
+
+#include <geodrop/scene.hpp>
+
+#include <vector>
+
+namespace geodrop {
+
+/// Numbers from 0 on, one for each body of the scene. Bodies that a contact lets slip on or part from another body have
+/// a field each; all others share one, number 0.
+std::vector<int> velocity_fields(const Scene& scene);
+
+/// Their number, at least 1.
+int count_velocity_fields(const Scene& scene);
+
+}  // namespace geodrop

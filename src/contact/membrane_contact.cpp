@@ -1,0 +1,253 @@
+#include "membrane_contact.hpp"
+
+#include <geodrop/find_named.hpp>
+#include <geodrop/graded_axis.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../membrane/polygon.hpp"
+#include "node_length.hpp"
+
+namespace geodrop {
+namespace {
+
+struct Box {
+  Vec<2> lower, upper;
+  bool holds(const Vec<2>& x) const { return (x.array() >= lower.array() && x.array() <= upper.array()).all(); }
+};
+
+/// Around all nodes, and `margin` [m] more: a flat skin has no thickness of its own.
+Box bounds(const Membrane<2>& membrane, double margin) {
+  Box box;
+  for (int a = 0; a < 2; ++a) {
+    const auto [low, high] = std::minmax_element(membrane.x[a].begin(), membrane.x[a].end());
+    box.lower[a] = *low - margin;
+    box.upper[a] = *high + margin;
+  }
+  return box;
+}
+
+/// Outward unit normal of a segment; zero if it has no length.
+Vec<2> segment_normal(const Membrane<2>& membrane, std::size_t s, double outward) {
+  const Vec<2> d = vector_at(membrane.x, end_of_edge(s, membrane.nodes())) - vector_at(membrane.x, s);
+  const double length = d.norm();
+  return length > 0 ? Vec<2>(Vec<2>(d[1], -d[0]) * (outward / length)) : Vec<2>::Zero();
+}
+
+/// Of the segments beside it, their mean.
+std::vector<Vec<2>> node_normals(const Membrane<2>& membrane, double outward) {
+  std::vector<Vec<2>> normals(membrane.nodes(), Vec<2>::Zero());
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    const Vec<2> n = segment_normal(membrane, s, outward);
+    normals[s] += n;
+    normals[end_of_edge(s, membrane.nodes())] += n;
+  }
+  for (Vec<2>& n : normals) n.normalize();
+  return normals;
+}
+
+/// Segments of a membrane in square bins, to find those near a point.
+class SegmentBins {
+ public:
+  SegmentBins(const Membrane<2>& membrane, const Box& region, double reach) : lower_(region.lower) {
+    double longest = 0;
+    std::vector<std::pair<std::size_t, Vec<2>>> middles;
+    for (std::size_t s = 0; s < membrane.segments(); ++s) {
+      const Vec<2> a = vector_at(membrane.x, s), b = vector_at(membrane.x, end_of_edge(s, membrane.nodes()));
+      const Vec<2> middle = 0.5 * (a + b);
+      if (!region.holds(middle)) continue;
+      longest = std::max(longest, (b - a).norm());
+      middles.emplace_back(s, middle);
+    }
+    width_ = reach + longest;  // a segment within reach of a point has its middle in one of the 3 x 3 bins around it
+    columns_ = static_cast<std::ptrdiff_t>((region.upper[0] - region.lower[0]) / width_) + 3;
+    for (const auto& [s, middle] : middles) entries_.emplace_back(key(middle), s);
+    std::sort(entries_.begin(), entries_.end());
+  }
+
+  bool empty() const { return entries_.empty(); }
+
+  template <class F>
+  void for_each_near(const Vec<2>& x, F&& f) const {
+    for (int row = -1; row <= 1; ++row) {
+      const std::ptrdiff_t middle = key(x) + row * columns_;
+      auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{middle - 1, 0});
+      for (; entry != entries_.end() && entry->first <= middle + 1; ++entry) f(entry->second);
+    }
+  }
+
+ private:
+  using Entry = std::pair<std::ptrdiff_t, std::size_t>;
+  std::ptrdiff_t key(const Vec<2>& x) const {
+    const auto at = [&](int a) { return static_cast<std::ptrdiff_t>(std::floor((x[a] - lower_[a]) / width_)); };
+    return at(0) + 1 + columns_ * at(1);
+  }
+
+  Vec<2> lower_;
+  double width_ = 0;
+  std::ptrdiff_t columns_ = 0;
+  std::vector<Entry> entries_;
+};
+
+/// One of the two passes: nodes of `slave` on segments of `master`.
+struct Pass {
+  Membrane<2>& slave;
+  Membrane<2>& master;
+  Array<double>& slip;
+  double slave_outward, master_outward;
+  bool folds;
+};
+
+/// Where a node meets the other membrane.
+struct Foot {
+  std::size_t segment = 0;
+  double share = 0;  ///< of the way from the segment's start to its end
+  Vec<2> point;      ///< [m]
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Own folds press only into this share of the reach: deeper is the other flank of a thin bag, seen from inside.
+constexpr double deepest_fold = 0.25;
+
+/// The nearest segment within reach that faces the node.
+Foot nearest_foot(const Pass& pass, const SegmentBins& bins, std::size_t k, const Vec<2>& normal, double reach) {
+  const Vec<2> x = vector_at(pass.slave.x, k);
+  Foot best;
+  best.distance = reach;
+  bool found = false;
+  bins.for_each_near(x, [&](std::size_t s) {
+    if (normal.dot(segment_normal(pass.master, s, pass.master_outward)) >= 0) return;
+    const Vec<2> a = vector_at(pass.master.x, s);
+    const Vec<2> d = vector_at(pass.master.x, end_of_edge(s, pass.master.nodes())) - a;
+    const double share = std::clamp(d.dot(x - a) / d.squaredNorm(), 0.0, 1.0);
+    const Vec<2> point = a + share * d;
+    const double distance = (x - point).norm();
+    if (distance > best.distance || (found && distance == best.distance)) return;
+    best = {s, share, point, distance};
+    found = true;
+  });
+  if (!found) best.distance = std::numeric_limits<double>::infinity();
+  return best;
+}
+
+void add_load(Membrane<2>& membrane, std::size_t k, const Vec<2>& force) {
+  for (int a = 0; a < 2; ++a) membrane.load[a][k] += force[a];
+}
+
+/// Force on the slave node; its reaction acts on the master. Lets the spring go slack where they do not touch.
+Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, std::size_t k, const Foot& foot,
+                 const Vec<2>& normal, double& pressed) {
+  const std::size_t end = end_of_edge(foot.segment, pass.master.nodes());
+  const double gap = normal.dot(vector_at(pass.slave.x, k) - foot.point);
+  if (gap >= 0 || (pass.folds && gap < -deepest_fold * contact.reach)) {
+    pass.slip[k] = 0;
+    return Vec<2>::Zero();
+  }
+  const double spring = 0.5 * contact.stiffness * node_length(pass.slave, k), push = -spring * gap;
+  const Vec<2> along(-normal[1], normal[0]);
+  const Vec<2> v = vector_at(pass.slave.v, k) - (1 - foot.share) * vector_at(pass.master.v, foot.segment) -
+                   foot.share * vector_at(pass.master.v, end);
+  double& slip = pass.slip[k];
+  slip += dt * along.dot(v);
+  const double most = contact.friction * push / spring;
+  slip = std::clamp(slip, -most, most);
+  const Vec<2> force = push * normal - spring * slip * along;
+  add_load(pass.slave, k, force);
+  add_load(pass.master, foot.segment, -(1 - foot.share) * force);
+  add_load(pass.master, end, -foot.share * force);
+  pressed += push;
+  return force;
+}
+
+/// Sum of the forces on the slave.
+Vec<2> run_pass(const Pass& pass, MembraneContact& contact, double dt) {
+  Vec<2> sum = Vec<2>::Zero();
+  const Box nearby = bounds(pass.slave, contact.reach);
+  const SegmentBins bins(pass.master, nearby, contact.reach);
+  if (bins.empty()) {
+    std::fill(pass.slip.begin(), pass.slip.end(), 0.0);
+    return sum;
+  }
+  const Box around = bounds(pass.master, contact.reach);
+  const auto slave_normals = node_normals(pass.slave, pass.slave_outward);
+  const auto master_normals = node_normals(pass.master, pass.master_outward);
+  for (std::size_t k = 0; k < pass.slave.nodes(); ++k) {
+    Foot foot;
+    if (around.holds(vector_at(pass.slave.x, k))) foot = nearest_foot(pass, bins, k, slave_normals[k], contact.reach);
+    if (!std::isfinite(foot.distance)) {
+      pass.slip[k] = 0;
+      continue;
+    }
+    const Vec<2> normal = ((1 - foot.share) * master_normals[foot.segment] +
+                           foot.share * master_normals[end_of_edge(foot.segment, pass.master.nodes())])
+                              .normalized();
+    sum += push_node(pass, contact, dt, k, foot, normal, contact.normal_force);
+  }
+  return sum;
+}
+
+/// 1 if the body lies on the left of its membrane. Of an open one, that of most of its particles as seen from the
+/// nearest nodes.
+double side_of_body(const State<2>& state, const Membrane<2>& membrane) {
+  if (membrane.closed) return signed_area(membrane.x[0], membrane.x[1]) > 0 ? 1 : -1;
+  const Body<2>& body = find_named(state.bodies, membrane.body);
+  std::ptrdiff_t left = 0;
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const Vec<2> x = vector_at(body.x, p);
+    double nearest = std::numeric_limits<double>::infinity(), side = 0;
+    for (std::size_t s = 0; s < membrane.segments(); ++s) {
+      const Vec<2> a = vector_at(membrane.x, s), d = vector_at(membrane.x, s + 1) - a;
+      const double distance = (x - a - 0.5 * d).squaredNorm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      side = d[0] * (x[1] - a[1]) - d[1] * (x[0] - a[0]);
+    }
+    left += side > 0 ? 1 : -1;
+  }
+  return left > 0 ? 1 : -1;
+}
+
+double wave_modulus(const State<2>& state, const Membrane<2>& membrane) {
+  const Material& behind = find_named(state.bodies, membrane.body).material;
+  return reference_density(behind) * std::pow(wave_speed(behind), 2);
+}
+
+}  // namespace
+
+MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state) {
+  MembraneContact contact;
+  contact.between = spec.between;
+  contact.friction = spec.friction;
+  contact.reach = finest_spacing(scene.grid);
+  double modulus = std::numeric_limits<double>::infinity();
+  for (int side = 0; side < 2; ++side) {
+    const Membrane<2>& membrane = find_named(state.membranes, spec.between[side]);
+    modulus = std::min(modulus, wave_modulus(state, membrane));
+    contact.outward[side] = side_of_body(state, membrane);
+    contact.slip[side].assign(membrane.nodes(), 0.0);
+  }
+  contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
+  return contact;
+}
+
+template <>
+void add_membrane_contacts(State<2>& state, double dt) {
+  for (MembraneContact& contact : state.membrane_contacts) {
+    Membrane<2>& one = find_named(state.membranes, contact.between[0]);
+    Membrane<2>& other = find_named(state.membranes, contact.between[1]);
+    const bool folds = &one == &other;
+    contact.normal_force = 0;
+    Vec<2> force = run_pass({one, other, contact.slip[0], contact.outward[0], contact.outward[1], folds}, contact, dt);
+    if (!folds)
+      force -= run_pass({other, one, contact.slip[1], contact.outward[1], contact.outward[0], folds}, contact, dt);
+    contact.force = {force[0], force[1]};
+  }
+}
+
+// Membranes are for the plane.
+template <>
+void add_membrane_contacts(State<3>&, double) {}
+
+}  // namespace geodrop

@@ -1,0 +1,26 @@
+// Membranes on membranes, and on themselves where they fold: penalty normal to the surface, Coulomb friction along it.
+//
+// Each node of one membrane meets the nearest segment of the other, and in a second pass the other way round; both
+// count half. With l the length of membrane that belongs to the node, n the outward normal of the other surface between
+// its nodes a and b at the foot of the node, g = n . (x - x_foot) the gap and v_t the relative velocity along it:
+//
+//   f_n = 1/2 k l max(0, -g),   xi += dt v_t,   f_t = -1/2 k l xi, cut to |f_t| <= mu f_n
+//
+// The reaction goes to a and b by the lever rule: momentum is kept to round-off, angular momentum but for g. Surfaces
+// touch only if their normals oppose each other: a thin bag does not meet its own other flank from inside.
+#pragma once
+
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+/// Contact between two membranes of the state, its springs slack. Stiffness times P / h, P the wave modulus of the
+/// softer body behind.
+MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state);
+
+/// Adds to Membrane::load of both; `dt` [s] stretches the tangential springs.
+template <int Dim>
+void add_membrane_contacts(State<Dim>& state, double dt);
+
+}  // namespace geodrop

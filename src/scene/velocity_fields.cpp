@@ -1,0 +1,39 @@
+#include <geodrop/velocity_fields.hpp>
+
+#include <algorithm>
+
+namespace geodrop {
+namespace {
+
+/// The body that a membrane lies on; empty if there is no such membrane.
+std::string body_of_membrane(const Scene& scene, const std::string& name) {
+  for (const MembraneSpec& membrane : scene.membranes)
+    if (membrane.name == name) return membrane.body;
+  return {};
+}
+
+bool parts(const Scene& scene, const std::string& body) {
+  return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const ContactSpec& contact) {
+    const std::string one = body_of_membrane(scene, contact.between[0]);
+    const std::string other = body_of_membrane(scene, contact.between[1]);
+    return !one.empty() && !other.empty() && one != other && (one == body || other == body);
+  });
+}
+
+}  // namespace
+
+std::vector<int> velocity_fields(const Scene& scene) {
+  std::vector<int> field(scene.bodies.size(), 0);
+  const auto part = [&](const BodySpec& body) { return parts(scene, body.name); };
+  int next = std::all_of(scene.bodies.begin(), scene.bodies.end(), part) ? 0 : 1;
+  for (std::size_t b = 0; b < field.size(); ++b)
+    if (part(scene.bodies[b])) field[b] = next++;
+  return field;
+}
+
+int count_velocity_fields(const Scene& scene) {
+  const std::vector<int> field = velocity_fields(scene);
+  return field.empty() ? 1 : 1 + *std::max_element(field.begin(), field.end());
+}
+
+}  // namespace geodrop
