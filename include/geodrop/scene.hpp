@@ -275,6 +275,18 @@ struct TimeSpec {
   double end = 0;  ///< [s]; earlier if a relaxation has come to rest
   bool operator==(const TimeSpec&) const = default;
 };
+/// A part of the run, from its time on until the next stage begins.
+struct StageSpec {
+  std::string name;
+  double from = 0;                   ///< [s]
+  double damping_rate = 0;           ///< mass-proportional damping of particle velocity [1/s]
+  double damping_ramp = 0;           ///< time over which the damping rises to that [s]
+  std::vector<std::string> places;   ///< bodies, with their membranes, that were not there before
+  std::vector<std::string> moves;    ///< rigid bodies whose motion goes on in this stage only
+  std::vector<std::string> removes;  ///< rigid bodies that contacts no longer notice
+  SourceRef at;
+  bool operator==(const StageSpec&) const = default;
+};
 struct OutputSpec {
   double frame_interval = 0;    ///< time between VTU frames [s]
   double history_interval = 0;  ///< time between rows of history.csv [s]
@@ -296,6 +308,14 @@ struct HydrostaticProbeSpec {
   HydrostaticSpec still;
   bool operator==(const HydrostaticProbeSpec&) const = default;
 };
+/// Forces over a section x = position through a body and its membrane, consistent with the grid (2D): columns
+/// soil_force_N_m (compression positive), membrane_force_N_m (tension positive).
+struct SectionProbeSpec {
+  std::string name;
+  std::string body;
+  double position = 0;  ///< [m]
+  bool operator==(const SectionProbeSpec&) const = default;
+};
 /// Difference of a body from the exact solution that it follows.
 struct ExactProbeSpec {
   std::string name;
@@ -311,7 +331,7 @@ struct GeotubeProbeSpec {
   bool operator==(const GeotubeProbeSpec&) const = default;
 };
 struct ProbeSpec {
-  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec> probe;
+  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec> probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
 };
@@ -356,6 +376,7 @@ struct Scene {
   SolverSpec solver;
   RelaxationSpec relaxation;
   TimeSpec time;
+  std::vector<StageSpec> stages;
   OutputSpec output;
   std::vector<MaterialSpec> materials;
   std::vector<BodySpec> bodies;

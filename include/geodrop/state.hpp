@@ -11,6 +11,9 @@
 
 namespace geodrop {
 
+/// Velocity field of what a later stage of the scene places: none.
+inline constexpr int waiting = -1;
+
 /// One body: its law and its particles, one array per scalar component (structure of arrays). All arrays
 /// have `size()` entries or, where the body has no such quantity, none.
 /// Particles are kept sorted by base cell (see grid/sort_particles); `id` is the order at the start.
@@ -19,7 +22,7 @@ struct Body {
   std::string name;
   std::string material_name;
   Material material;
-  int field = 0;  ///< velocity field that it moves with, Grid::field
+  int field = 0;  ///< velocity field that it moves with, Grid::field; or waiting
   PressureSupport pressure = PressureSupport::cell;
   bool shift = false;                            ///< particle shifting (fluids)
   double shift_speed = 0;                        ///< v0 of the shift [m/s]
@@ -126,8 +129,10 @@ template <int Dim>
 struct State {
   double t = 0;  ///< [s]
   std::uint64_t step = 0;
-  double drift = 0;  ///< accumulated |v|max dt since the last sort [m]; negative: sort before the next step
-  double v_max = 0;  ///< largest particle speed [m/s]
+  double drift = 0;         ///< accumulated |v|max dt since the last sort [m]; negative: sort before the next step
+  double v_max = 0;         ///< largest particle speed [m/s]
+  double damping_rate = 0;  ///< mass-proportional damping of velocities [1/s]
+  std::uint64_t stages_entered = 0;  ///< of the scene's stages
   std::vector<Body<Dim>> bodies;
   std::vector<Membrane<Dim>> membranes;
   std::vector<Contact<Dim>> contacts;

@@ -237,6 +237,7 @@ void add_membrane_contacts(State<2>& state, double dt) {
   for (MembraneContact& contact : state.membrane_contacts) {
     Membrane<2>& one = find_named(state.membranes, contact.between[0]);
     Membrane<2>& other = find_named(state.membranes, contact.between[1]);
+    if (one.field == waiting || other.field == waiting) continue;
     const bool folds = &one == &other;
     contact.normal_force = 0;
     Vec<2> force = run_pass({one, other, contact.slip[0], contact.outward[0], contact.outward[1], folds}, contact, dt);

@@ -13,8 +13,8 @@
 namespace geodrop {
 namespace {
 
-GatherOptions gather_options(const SolverSpec& solver, double dt) {
-  return {solver.transfer, dt, std::exp(-solver.blend_rate * dt), std::exp(-solver.damping_rate * dt)};
+GatherOptions gather_options(const SolverSpec& solver, double damping_rate, double dt) {
+  return {solver.transfer, dt, std::exp(-solver.blend_rate * dt), std::exp(-damping_rate * dt)};
 }
 
 /// Particles per task: fixed, so that packets fall the same way for any thread count.
@@ -87,7 +87,7 @@ void average_nodal_rate(const State<Dim>& state, Grid<Dim>& grid) {
 
 template <int Dim>
 void remap_velocity(const SolverSpec& solver, State<Dim>& state, Grid<Dim>& grid, double dt) {
-  const GatherOptions options = gather_options(solver, dt);
+  const GatherOptions options = gather_options(solver, state.damping_rate, dt);
   for (Body<Dim>& body : state.bodies)
     if (body.field == grid.field)
       for_each_task(body, [&](std::ptrdiff_t, std::size_t begin, std::size_t end) {
@@ -119,9 +119,10 @@ void particles_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt) {
 
 template <int Dim>
 void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grids<Dim>& grids, double dt) {
-  const GatherOptions options = gather_options(solver, dt);
+  const GatherOptions options = gather_options(solver, state.damping_rate, dt);
   double v_max = 0, displacement = 0;
   for (Body<Dim>& body : state.bodies) {
+    if (body.field == waiting) continue;
     Grid<Dim>& grid = grids[body.field];
     const std::ptrdiff_t tasks = task_count(body);
     grid.chunk_maxima.assign(2 * tasks, 0.0);

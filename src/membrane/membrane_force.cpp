@@ -213,7 +213,7 @@ template <int Dim>
 void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
   const bool blend = solver.transfer != Transfer::tpic;
   const double keep = blend ? std::exp(-solver.blend_rate * dt) : 0.0;
-  const double damping = std::exp(-solver.damping_rate * dt);
+  const double damping = std::exp(-state.damping_rate * dt);
   for (Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; membrane.field == grid.field && k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);

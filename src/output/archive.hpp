@@ -63,8 +63,10 @@ auto members(Part& part) {
     auto& [name, x, v, initial_x, field] = part;
     return std::tie(name, x, v, initial_x, field);
   } else {
-    auto& [t, step, drift, v_max, bodies, membranes, contacts, membrane_contacts, tracers, relaxation] = part;
-    return std::tie(t, step, drift, v_max, bodies, membranes, contacts, membrane_contacts, tracers, relaxation);
+    auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts, tracers,
+           relaxation] = part;
+    return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts,
+                    tracers, relaxation);
   }
 }
 

@@ -98,8 +98,10 @@ Totals<Dim>& Totals<Dim>::operator+=(const Totals& other) {
 template <int Dim>
 Totals<Dim> measure(const State<Dim>& state, const Point& gravity) {
   Totals<Dim> totals;
-  for (const Body<Dim>& body : state.bodies) totals += body_totals(body, gravity);
-  for (const Membrane<Dim>& membrane : state.membranes) totals += membrane_totals(membrane, gravity);
+  for (const Body<Dim>& body : state.bodies)
+    if (body.field != waiting) totals += body_totals(body, gravity);
+  for (const Membrane<Dim>& membrane : state.membranes)
+    if (membrane.field != waiting) totals += membrane_totals(membrane, gravity);
   return totals;
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "geotube_probe.hpp"
+#include "section_probe.hpp"
 #include "text.hpp"
 
 namespace geodrop {
@@ -146,6 +147,16 @@ PressureError measure(const HydrostaticProbeSpec& probe, const Scene& scene, con
                         -scene.gravity[vertical_axis<Dim>]);
 }
 
+void list_plane_probe(Row& row, const Scene& scene, const ProbeSpec& spec, const State<2>* state) {
+  if (const auto* tube = std::get_if<GeotubeProbeSpec>(&spec.probe))
+    for (const auto& [name, value] : geotube_columns(scene, *tube, state)) row.add(tube->name + "." + name, value);
+  if (const auto* section = std::get_if<SectionProbeSpec>(&spec.probe)) {
+    const SectionForces forces = state ? section_forces(scene, *section, *state) : SectionForces{};
+    row.add(section->name + ".soil_force_N_m", forces.soil);
+    row.add(section->name + ".membrane_force_N_m", forces.membrane);
+  }
+}
+
 /// Without a state: the names only, with values that mean nothing.
 template <int Dim>
 Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlier) {
@@ -166,10 +177,7 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
       list_tracer(row, tracer->name, state ? find_named(state->tracers, tracer->name) : Tracer<Dim>{});
     if (const auto* probe = std::get_if<HydrostaticProbeSpec>(&spec.probe))
       list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
-    if constexpr (Dim == 2)
-      if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
-        for (const auto& [name, value] : geotube_columns(scene, *probe, state))
-          row.add(probe->name + "." + name, value);
+    if constexpr (Dim == 2) list_plane_probe(row, scene, spec, state);
     if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
       list_exact_error(row, probe->name, *find_exact(scene, probe->body),
                        state ? exact_error(scene, *state, find_named(state->bodies, probe->body)) : ExactError{});

@@ -56,11 +56,13 @@ ParticleSnapshot make_room(std::size_t particles) {
 template <int Dim>
 ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials) {
   std::size_t count = 0;
-  for (const Body<Dim>& body : state.bodies) count += body.size();
+  for (const Body<Dim>& body : state.bodies)
+    if (body.field != waiting) count += body.size();
   ParticleSnapshot out = make_room(count);
   std::size_t first = 0;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];
+    if (body.field == waiting) continue;
     const auto material = std::find(materials.begin(), materials.end(), body.material_name) - materials.begin();
 #pragma omp parallel for schedule(static)
     for (std::size_t p = 0; p < body.size(); ++p) {
@@ -99,7 +101,8 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   snapshot.particles = copy_particles(state, materials);
   snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
   for (std::size_t m = 0; m < state.membranes.size(); ++m)
-    append_membrane(state.membranes[m], static_cast<std::uint8_t>(m), snapshot.membranes);
+    if (state.membranes[m].field != waiting)
+      append_membrane(state.membranes[m], static_cast<std::uint8_t>(m), snapshot.membranes);
   return snapshot;
 }
 

@@ -17,6 +17,7 @@
 #include "../membrane/membrane_force.hpp"
 #include "pumps.hpp"
 #include "relaxation.hpp"
+#include "scene_stages.hpp"
 
 namespace geodrop {
 namespace {
@@ -69,7 +70,9 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
       p.push_back({std::move(name), std::move(flow), run, 0.0});
   };
   const bool cells = cell_pressure || shift;
+  const SceneStages in_time(scene);
   // clang-format off
+  add(!scene.stages.empty(), "scene_stages", "time -> bodies placed, rigid bodies moved or removed, damping", [in_time](S& s, Fields&, const C&) { enter_due_stages(in_time, s); });
   add(true,          "sort_particles",    "positions -> order of all particle arrays, active blocks", [](S& s, Fields& f, const C&) { sort_particles_if_due(s, f); });
   add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S&, G& g, const C&) { clear_grid(g); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { if (g.cell_volume.empty()) return; sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });

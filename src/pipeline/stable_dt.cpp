@@ -62,7 +62,7 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
     membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));
   double dt = scene.solver.courant * layout.finest / (std::sqrt(c2 + membrane2) + state.v_max);
   if (nu > 0) dt = std::min(dt, scene.solver.courant * layout.finest * layout.finest / (2 * Dim * nu));
-  dt = damped(dt, scene.solver.damping_rate);
+  dt = damped(dt, state.damping_rate);
   constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
   if (dt < smallest_share * scene.time.end) {
     std::ostringstream text;

@@ -181,6 +181,11 @@ PumpSpec bind_pump(const Fields& f, SourceRef at) {
   return {f.text("body"), f.real("rate"), f.real("from"), f.real("to"), at};
 }
 
+StageSpec bind_stage(const Fields& f, SourceRef at) {
+  return {f.text("name"),    f.real("from"),   f.real("damping_rate"), f.real("damping_ramp"),
+          f.names("places"), f.names("moves"), f.names("removes"),     at};
+}
+
 ExactSpec bind_exact(const Fields& f, SourceRef at) {
   const std::string type = f.text("type"), body = f.text("body");
   if (type == "taylor_green") return {body, TaylorGreenSpec{f.real("speed"), f.real("length")}, at};
@@ -195,6 +200,7 @@ ProbeSpec bind_probe(const Fields& f, SourceRef at) {
   if (f.text("type") == "hydrostatic") {
     return {HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}}, at};
   }
+  if (f.text("type") == "section") return {SectionProbeSpec{f.text("name"), f.text("body"), f.real("x")}, at};
   if (f.text("type") == "geotube")
     return {GeotubeProbeSpec{f.text("name"), f.text("membrane"), f.text("water"), f.real("water_level")}, at};
   return {TracerSpec{f.text("name"), f.point("position")}, at};
@@ -286,6 +292,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.contacts = bind_list(complete, report, "contacts", bind_contact);
   scene.still_fluids = bind_list(complete, report, "still_fluids", bind_still_fluid);
   scene.pumps = bind_list(complete, report, "pumps", bind_pump);
+  scene.stages = bind_list(complete, report, "stages", bind_stage);
   scene.exact = bind_list(complete, report, "exact", bind_exact);
   scene.probes = bind_list(complete, report, "probes", bind_probe);
   scene.results = bind_list(complete, report, "results", bind_result);

@@ -131,7 +131,7 @@ class PlacementCheck {
       if (!check_inside(i) || !check_not_empty(i) || !check_particles(i)) continue;
       for (std::size_t j = 0; j < i; ++j) {
         // One that is cut out of the other shares no point with it, however finely one looks.
-        if (is_ready(j) && !cuts(i, j) && !cuts(j, i)) check_overlap(i, j);
+        if (is_ready(j) && !cuts(i, j) && !cuts(j, i) && !comes_later(i) && !comes_later(j)) check_overlap(i, j);
       }
     }
   }
@@ -142,6 +142,13 @@ class PlacementCheck {
 
   bool is_ready(std::size_t i) const {
     return report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus");
+  }
+
+  /// A stage places body i: what is at its place now may be gone by then.
+  bool comes_later(std::size_t i) const {
+    return std::any_of(scene_.stages.begin(), scene_.stages.end(), [&](const StageSpec& stage) {
+      return std::find(stage.places.begin(), stage.places.end(), body(i).name) != stage.places.end();
+    });
   }
 
   /// Body i has body j in its minus.

@@ -78,6 +78,12 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
     if (!tube->water.empty()) check_fluid(scene, key + ".water", tube->water, report);
     return;
   }
+  if (const auto* section = std::get_if<SectionProbeSpec>(&probe.probe)) {
+    check_reference(key + ".body", section->body, names_of(scene.bodies), "bodies", report);
+    if (report.healthy("dimension") && scene.dimension != 2)
+      report.add(key + ".type", "\"section\" in space", "sections in two dimensions");
+    return;
+  }
   const auto& tracer = std::get<TracerSpec>(probe.probe);
   if (!report.healthy(key) || !report.healthy("grid") || tracer.position.size() != scene.grid.lower.size()) return;
   for (std::size_t a = 0; a < tracer.position.size(); ++a) {

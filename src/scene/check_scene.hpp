@@ -30,6 +30,7 @@ void check_contacts(const Scene& scene, Report& report);
 void check_still_fluids(const Scene& scene, Report& report);
 void check_relaxation(const Scene& scene, Report& report);
 void check_pumps(const Scene& scene, Report& report);
+void check_stages(const Scene& scene, Report& report);
 void check_measurements(const Scene& scene, Report& report);
 
 /// Owners of columns about the whole scene; no body, membrane or probe has such a name.

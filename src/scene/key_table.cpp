@@ -79,6 +79,9 @@ constexpr Section sections[] = {
     {"still_fluids", "[[still_fluids]]", "membrane",
      "Still water in a basin so large that a tube does not move it: its pressure, gamma times depth, acts on a closed "
      "membrane from outside, also where that lies on the ground. A body of water that moves is one of `bodies`."},
+    {"stages", "[[stages]]", "name",
+     "Parts of a run in time order; each lasts until the next one begins, the last until time.end. A body that a stage "
+     "`places` is not there before."},
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
@@ -109,6 +112,7 @@ constexpr Key keys[] = {
     {"", "rigid", table_list, "", "", standard("[]"), maybe_none, "rigid ground and walls", 2},
     {"", "contacts", table_list, "", "", standard("[]"), maybe_none, "what touches what", 2},
     {"", "still_fluids", table_list, "", "", standard("[]"), maybe_none, "still water around membranes", 2},
+    {"", "stages", table_list, "", "", standard("[]"), maybe_none, "the parts of a run in time"},
     {"", "pumps", table_list, "", "", standard("[]"), maybe_none, "fluid that is pumped in"},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
@@ -233,6 +237,14 @@ constexpr Key keys[] = {
     {"still_fluids", "fluid", name, "", "", required, reference, "the newtonian material of the fluid"},
     {"still_fluids", "surface", real, "m", "", required, any, "level of its surface"},
 
+    {"stages", "name", name, "", "", required, identifier, "what happens in it"},
+    {"stages", "from", real, "s", "", required, not_negative, "when it begins; the first one at 0"},
+    {"stages", "damping_rate", real, "1/s", "", standard("0.0"), not_negative, "mass-proportional damping of velocity in this stage; never damp an impact"},
+    {"stages", "damping_ramp", real, "s", "", standard("0.0"), not_negative, "time over which the damping rises to that"},
+    {"stages", "places", names, "", "", standard("[]"), reference, "bodies that come in, with their membranes"},
+    {"stages", "moves", names, "", "", standard("[]"), reference, "rigid bodies whose motion goes on in this stage; all others stand still"},
+    {"stages", "removes", names, "", "", standard("[]"), reference, "rigid bodies that are taken away"},
+
     {"pumps", "body", name, "", "", required, reference, "which body grows"},
     {"pumps", "rate", real, "m3/s", "", required, positive, "volume at zero pressure per time (2D: per metre of depth, m2/s)"},
     {"pumps", "from", real, "s", "", required, not_negative, "when it starts"},
@@ -250,9 +262,10 @@ constexpr Key keys[] = {
     {"exact", "stretch", point, "", "type=uniform_motion", required, positive, "present over unstrained length along each axis; the body's shape, a box, is the stretched one, and the lattice of its particles is stretched with it"},
 
     {"probes", "name", name, "", "", required, identifier, "heads the probe's columns in history.csv"},
-    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact|geotube"), "tracer: a point that moves with the material; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows; geotube: shape and pressures of a closed membrane full of fluid beside those of the closed form"},
+    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact|geotube|section"), "tracer: a point that moves with the material; section: horizontal forces over an upright section; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows; geotube: shape and pressures of a closed membrane full of fluid beside those of the closed form"},
     {"probes", "position", point, "m", "type=tracer", required, any, "where the point starts"},
-    {"probes", "body", name, "", "type=hydrostatic|exact", required, reference, "whose particles are compared"},
+    {"probes", "body", name, "", "type=hydrostatic|exact|section", required, reference, "whose particles are compared, or cut"},
+    {"probes", "x", real, "m", "type=section", required, any, "where the section is"},
     {"probes", "membrane", name, "", "type=geotube", required, reference, "the closed membrane"},
     {"probes", "outside", choice, "", "type=geotube", standard("\"air\""), words("air|water"), "what stands around the tube of the closed form"},
     {"probes", "water", name, "", "outside=water", required, reference, "the newtonian material of that water"},

@@ -14,6 +14,7 @@
 
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
+#include "../pipeline/scene_stages.hpp"
 #include "fill_particles.hpp"
 #include "initial_stress.hpp"
 
@@ -213,6 +214,7 @@ template <int Dim>
 State<Dim> build_state(const Scene& scene) {
   State<Dim> state;
   state.drift = -1;  // sort before the first step
+  state.damping_rate = scene.solver.damping_rate;
   const std::vector<int> fields = velocity_fields(scene);
   for (std::size_t b = 0; b < fields.size(); ++b) {
     state.bodies.push_back(build_body<Dim>(scene, scene.bodies[b]));
@@ -237,6 +239,7 @@ State<Dim> build_state(const Scene& scene) {
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   enclose_fluids(scene, state);
+  let_bodies_wait(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
     if (!tracer) continue;

@@ -1,0 +1,80 @@
+#include "section_probe.hpp"
+
+#include <geodrop/find_named.hpp>
+#include <geodrop/grid.hpp>
+#include <geodrop/measure.hpp>
+
+#include <cmath>
+
+#include "../kernels/bases.hpp"
+#include "fixed_order_sum.hpp"
+#include "membrane/polygon.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Share of the nodes right of a section in the shape functions at a point, and its slope.
+struct RightShare {
+  double value, slope;  ///< [-], [1/m]
+};
+
+class Section {
+ public:
+  Section(const GridLayout<2>& layout, double position) : layout_(layout), position_(position) {}
+
+  RightShare at(double x, double half_size) const {
+    const int base = layout_.base(0, x);
+    const ThreeWeights n = weights(x, base, half_size);
+    const double per_metre = layout_.graded() ? 1.0 : layout_.inv_h;
+    const double below = right_of(base - 1), here = right_of(base), above = right_of(base + 1);
+    return {below * n.w0 + here * n.w1 + above * n.w2, per_metre * (below * n.g0 + here * n.g1 + above * n.g2)};
+  }
+
+ private:
+  ThreeWeights weights(double x, int base, double half_size) const {
+    constexpr double to_the_limit = 1e-9;  // hat functions
+    if (layout_.graded()) return GradedBspline2::at(layout_.knots[0][base + GridLayout<2>::pad], x);
+    const double r = (x - layout_.lower[0]) * layout_.inv_h - base;
+    if (layout_.basis == Basis::bspline2) return Bspline2::at(r, 0);
+    return Gimp::at(r, layout_.basis == Basis::gimp ? half_size : to_the_limit);
+  }
+  double right_of(int node) const {
+    const double offset = layout_.node(0, node) - position_;
+    constexpr double round_off = 1e-9;  // [h]
+    if (std::abs(offset) < round_off * layout_.h) return 0.5;
+    return offset > 0 ? 1.0 : 0.0;
+  }
+
+  const GridLayout<2>& layout_;
+  double position_;
+};
+
+double membrane_force(const Section& section, const Membrane<2>& membrane) {
+  double sum = 0;
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    const std::size_t end = end_of_edge(s, membrane.nodes());
+    const Vec<2> d = vector_at(membrane.x, end) - vector_at(membrane.x, s);
+    const double length = d.norm();
+    if (length <= 0) continue;
+    const auto share = [&](std::size_t k) { return section.at(membrane.x[0][k], membrane.half_size).value; };
+    sum += membrane.tension[s] * d[0] / length * (share(end) - share(s));
+  }
+  return sum;
+}
+
+}  // namespace
+
+SectionForces section_forces(const Scene& scene, const SectionProbeSpec& probe, const State<2>& state) {
+  const GridLayout<2> layout(scene.grid, scene.walls);
+  const Section section(layout, probe.position);
+  const Body<2>& body = find_named(state.bodies, probe.body);
+  SectionForces forces;
+  forces.soil = -fixed_order_sum<double>(body.size(), [&](double& sum, std::size_t p) {
+    sum += body.volume(p) * total_stress(body, p)[0] * section.at(body.x[0][p], body.half_size).slope;
+  });
+  for (const Membrane<2>& membrane : state.membranes)
+    if (membrane.body == body.name) forces.membrane += membrane_force(section, membrane);
+  return forces;
+}
+
+}  // namespace geodrop
