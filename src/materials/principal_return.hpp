@@ -78,7 +78,15 @@ template <class R>
 [[gnu::always_inline]] inline Principal<R> return_to_cutoff(const YieldSurface& y, const Principal<R>& trial) {
   const R t = y.cutoff, m = y.meeting;
   const auto& [x1, x2, x3] = trial;
-  Principal<R> best{t, t, m};
+
+  // Line s1 = t, s3 = m of g_13 and the cut-off; with s2 kept between its ends also where no multipliers exist, or
+  // round-off denies them (soil that rests in the corner (t, m, m) and is sheared there).
+  const double modulus = y.lambda + 2.0 * y.shear;
+  const double scale = 1.0 / (4.0 * y.shear * y.minus_psi * (y.lambda + y.shear));
+  const R shear_multiplier = (y.lambda * (x1 - t) - modulus * (x3 - m)) * scale;
+  const R cutoff_multiplier = (y.flow_first * (x3 - m) - y.flow_third * (x1 - t)) * scale;
+  const R line2 = x2 - y.flow_volume * shear_multiplier - y.lambda * cutoff_multiplier;
+  Principal<R> best{t, min(max(line2, R(m)), R(t)), m};
 
   // Corner (t, t, t): the trial strain from there, (2G e_i) = y_i - nu/(1 + nu) tr y, is tensile along all axes.
   const double nu_ratio = y.lambda / (3.0 * y.lambda + 2.0 * y.shear);
@@ -92,17 +100,11 @@ template <class R>
 
   // Edge s1 = s2 = t. Beyond its end is the corner (t, t, t), also where round-off denies that corner its multiplier:
   // in plane strain a soil without stress is stretched along two axes only, so its trial lies exactly between the two.
-  const double modulus = y.lambda + 2.0 * y.shear;
   const R plane = (x1 - t) * (y.lambda / modulus);
   const R on_plane2 = x2 - plane, on_plane3 = x3 - plane;
   const R edge3 = min(x3 - (x1 + x2 - 2.0 * t) * (y.lambda / (2.0 * (y.lambda + y.shear))), t);
   best = select((on_plane2 > t) & (edge3 >= m), Principal<R>{t, t, edge3}, best);
 
-  // Line s1 = t, s3 = m of g_13 and the cut-off.
-  const double scale = 1.0 / (4.0 * y.shear * y.minus_psi * (y.lambda + y.shear));
-  const R shear_multiplier = (y.lambda * (x1 - t) - modulus * (x3 - m)) * scale;
-  const R cutoff_multiplier = (y.flow_first * (x3 - m) - y.flow_third * (x1 - t)) * scale;
-  const R line2 = x2 - y.flow_volume * shear_multiplier - y.lambda * cutoff_multiplier;
   best = select((shear_multiplier >= 0.0) & (cutoff_multiplier >= 0.0) & (line2 >= m) & (line2 <= t),
                 Principal<R>{t, line2, m}, best);
 

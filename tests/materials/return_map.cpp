@@ -184,6 +184,22 @@ TEST_CASE("A soil without stress that is stretched along one or two axes returns
   CHECK(largest_left(soil({1e6, 0.3, 10, 25, 5, 0})) < 1e-9);  // of trials up to 3000 Pa; the wrong corner is at -31 Pa
 }
 
+TEST_CASE("Soil that rests in the corner of shear plane and cut-off keeps its mean stress when it is sheared") {
+  // Trials that return exactly there lie between two regions, and round-off may deny both: 332 of 20000 became (t, t,
+  // m).
+  const MohrCoulomb law = soil({10e6, 0.3, 3e3, 30, 0, 1e3});
+  const YieldSurface surface(law);
+  const Vector3d corner{surface.cutoff, surface.meeting, surface.meeting};
+  Dice dice;
+  for (int repeat = 0; repeat < 20000; ++repeat) {
+    Vector3d strain = 2e-3 * Vector3d{dice.normal(), dice.normal(), dice.normal()};
+    strain.array() -= strain.mean();
+    Vector3d trial = corner + 2 * law.shear_modulus * strain;
+    std::sort(trial.begin(), trial.end(), std::greater<>());
+    CHECK(principal_return(law, trial).mean() < corner.mean() + 1e-8);  // of trials around 2e4 Pa
+  }
+}
+
 TEST_CASE("Returned stresses are admissible and the plastic strain obeys the flow rule") {
   Dice dice;
   int plastic = 0;
