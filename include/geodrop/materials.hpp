@@ -36,6 +36,9 @@ struct MohrCoulomb {
   double pore_stiffness;  ///< K_f / n [Pa]; 0: drained
 };
 
+/// The same without dilatancy, where what opens at the cut-off closes again without stress; see materials/void_memory.
+struct MohrCoulombWithVoids : MohrCoulomb {};
+
 /// Compressible neo-Hookean solid at finite strain; needs the deformation gradient.
 struct NeoHookean {
   double density;        ///< unstrained [kg/m3]
@@ -43,9 +46,12 @@ struct NeoHookean {
   double shear_modulus;  ///< mu [Pa]
 };
 
-using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean>;
+using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids>;
 
 Material make_material(const MaterialSpec& spec);
+
+/// The law of a soil, with or without voids; null if the material is no soil.
+const MohrCoulomb* soil_law(const Material& material);
 
 /// Density at zero pressure (fluid) or at the start (soil) [kg/m3].
 double reference_density(const Material& material);

@@ -78,6 +78,7 @@ struct MohrCoulombSpec {
   double dilatancy_angle_deg = 0;          ///< [degree]
   double tension_cutoff = 0;               ///< largest principal effective stress [Pa], at most c cot(phi)
   std::optional<UndrainedSpec> undrained;  ///< empty: drained
+  bool void_memory = false;                ///< what opens at the cut-off closes again without stress
   bool operator==(const MohrCoulombSpec&) const = default;
 };
 struct MaterialSpec {

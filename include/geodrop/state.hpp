@@ -40,6 +40,7 @@ struct Body {
   std::array<Array<double>, Dim * Dim> deformation;  ///< neo-Hookean: F, row-major [-]
   Array<double> pore_pressure;                       ///< undrained soil [Pa]
   Array<double> deviatoric_strain;                   ///< soil: accumulated sqrt(2/3 e:e) [-]
+  Array<double> gap;                                 ///< soil with void memory: volume of open voids over its own [-]
   Array<std::uint32_t> id;                           ///< index at the start
 
   // Indexed by id, so never permuted:

@@ -84,7 +84,7 @@ void permute_body(Body<Dim>& body, const Array<std::uint32_t>& order) {
   for (auto& values : body.affine) permute(values, order, scratch);
   for (auto& values : body.stress) permute(values, order, scratch);
   for (auto& values : body.deformation) permute(values, order, scratch);
-  for (auto* values : {&body.mass, &body.J, &body.pore_pressure, &body.deviatoric_strain})
+  for (auto* values : {&body.mass, &body.J, &body.pore_pressure, &body.deviatoric_strain, &body.gap})
     permute(*values, order, scratch);
   Array<std::uint32_t> id_scratch;
   permute(body.id, order, id_scratch);

@@ -13,7 +13,8 @@ auto with_law(const Material& material, F&& f) {
   if (const auto* water = std::get_if<Newtonian>(&material)) return f(*water);
   if (const auto* solid = std::get_if<LinearElastic>(&material)) return f(*solid);
   if (const auto* rubber = std::get_if<NeoHookean>(&material)) return f(*rubber);
-  return f(*std::get_if<MohrCoulomb>(&material));
+  if (const auto* soil = std::get_if<MohrCoulomb>(&material)) return f(*soil);
+  return f(*std::get_if<MohrCoulombWithVoids>(&material));
 }
 
 /// Volume [m3] and pressure [Pa] of a chunk of particles.
@@ -173,6 +174,23 @@ void update_point(Body<Dim>& body, const MohrCoulomb& soil, const ChunkRates<Dim
   store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
   if (!body.pore_pressure.empty())
     store(&body.pore_pressure[p], load<R>(&body.pore_pressure[p]) + pore_pressure_increment(soil, volume));
+}
+
+/// J takes dvol as it is: particles' volumes change by what flows through the surface, to round-off.
+template <int Dim, class R>
+void update_point(Body<Dim>& body, const MohrCoulombWithVoids& soil, const ChunkRates<Dim>& rates, double,
+                  std::size_t p, int k) {
+  const R volume = load<R>(&rates.volume[k]);
+  auto sigma = load_stress<Dim, R>(body, p);
+  R gap = load<R>(&body.gap[p]);
+  const VoidStep<R> step = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma, gap);
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
+  store(&body.gap[p], gap);
+  store(&body.deviatoric_strain[p], load<R>(&body.deviatoric_strain[p]) + step.deviatoric_strain);
+  store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
+  if (!body.pore_pressure.empty())
+    store(&body.pore_pressure[p],
+          load<R>(&body.pore_pressure[p]) + pore_pressure_increment<R>(soil, step.volumetric_strain));
 }
 
 /// J is det F: the volume rate of the cell has no part in it.

@@ -6,3 +6,4 @@
 #include "neo_hookean.hpp"
 #include "newtonian.hpp"
 #include "undrained.hpp"
+#include "void_memory.hpp"

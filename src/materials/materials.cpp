@@ -59,7 +59,14 @@ double wave_modulus(const MohrCoulomb& soil) {
 }  // namespace
 
 Material make_material(const MaterialSpec& spec) {
+  const auto* soil = std::get_if<MohrCoulombSpec>(&spec.model);
+  if (soil && soil->void_memory) return MohrCoulombWithVoids{make(*soil)};
   return std::visit([](const auto& model) -> Material { return make(model); }, spec.model);
+}
+
+const MohrCoulomb* soil_law(const Material& material) {
+  if (const auto* with_voids = std::get_if<MohrCoulombWithVoids>(&material)) return with_voids;
+  return std::get_if<MohrCoulomb>(&material);
 }
 
 double reference_density(const Material& material) {

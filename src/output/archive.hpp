@@ -38,11 +38,11 @@ auto members(Part& part) {
   using Plain = std::remove_const_t<Part>;
   if constexpr (is_body<Plain>) {
     auto& [name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
-           weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, id,
+           weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, gap, id,
            initial_x, layer, slab_begin] = part;
     return std::tie(name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed,
                     unit_weight, weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure,
-                    deviatoric_strain, id, initial_x, layer, slab_begin);
+                    deviatoric_strain, gap, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, field, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
            strain, tension, tension_peak, load] = part;
@@ -102,7 +102,8 @@ void walk_material(Archive& archive, Material& material) {
   if (index == 1) material = LinearElastic{};
   if (index == 2) material = MohrCoulomb{};
   if (index == 3) material = NeoHookean{};
-  static_assert(std::variant_size_v<Material> == 4, "name the new law here");
+  if (index == 4) material = MohrCoulombWithVoids{};
+  static_assert(std::variant_size_v<Material> == 5, "name the new law here");
   std::visit([&](auto& law) { archive.bytes(reinterpret_cast<double*>(&law), sizeof(law) / sizeof(double)); },
              material);
 }

@@ -131,7 +131,7 @@ std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, s
 template <int Dim>
 double particle_bytes(const Body<Dim>& body) {
   double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) +
-               bytes(body.id) + bytes(body.layer);
+               bytes(body.gap) + bytes(body.id) + bytes(body.layer);
   const auto add = [&](const auto& components) {
     for (const auto& values : components) sum += bytes(values);
   };

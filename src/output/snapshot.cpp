@@ -11,7 +11,7 @@ namespace {
 const std::vector<std::string> vector_components = {"X", "Y", "Z"};
 const std::vector<std::string> tensor_components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
 
-/// Which fields the particles have, in the order of `ParticleValues`.
+/// Which fields all particles have.
 const std::vector<Field> particle_fields = {
     {"velocity", vector_components, {}}, {"displacement", vector_components, {}},
     {"stress", tensor_components, {}},   {"mean_pressure", {}, {}},
@@ -37,14 +37,19 @@ void copy_particle(const Body<Dim>& body, std::size_t p, std::size_t to, Particl
   *values(5) = body.deviatoric_strain.empty() ? 0.0F : narrow(body.deviatoric_strain[p]);
   *values(6) = narrow(body.J[p] - 1);
   *values(7) = narrow(reference_density(body.material) / body.J[p]);
+  if (!body.gap.empty()) *values(particle_fields.size()) = narrow(body.gap[p]);
   out.layer[to] = body.layer.empty() ? 0 : body.layer[id];
   out.id[to] = id;
 }
 
-ParticleSnapshot make_room(std::size_t particles) {
+/// Another field, which only some particles have, is their gap.
+enum class Voids { none, some };
+
+ParticleSnapshot make_room(std::size_t particles, Voids voids) {
   ParticleSnapshot out;
   out.points.resize(3 * particles);
   out.fields = particle_fields;
+  if (voids == Voids::some) out.fields.push_back({"gap", {}, {}});
   for (Field& field : out.fields) field.values.resize(field.width() * particles);
   out.layer.resize(particles);
   out.material.resize(particles);
@@ -56,9 +61,13 @@ ParticleSnapshot make_room(std::size_t particles) {
 template <int Dim>
 ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials) {
   std::size_t count = 0;
-  for (const Body<Dim>& body : state.bodies)
-    if (body.field != waiting) count += body.size();
-  ParticleSnapshot out = make_room(count);
+  Voids voids = Voids::none;
+  for (const Body<Dim>& body : state.bodies) {
+    if (body.field == waiting) continue;
+    count += body.size();
+    if (!body.gap.empty()) voids = Voids::some;
+  }
+  ParticleSnapshot out = make_room(count, voids);
   std::size_t first = 0;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];

@@ -39,7 +39,7 @@ std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state) {
     facts.push_back({body.name + ".wave_speed_m_s", wave_speed(body.material)});
     if (std::holds_alternative<Newtonian>(body.material))
       facts.push_back({body.name + ".density_rise_ratio", density_rise(body)});
-    const auto* soil = std::get_if<MohrCoulomb>(&body.material);
+    const MohrCoulomb* soil = soil_law(body.material);
     if (soil && soil->pore_stiffness > 0) facts.push_back({body.name + ".skempton_b_ratio", skempton_b(*soil)});
   }
   const GridLayout<Dim> layout(scene.grid, scene.walls);

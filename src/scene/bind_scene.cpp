@@ -109,6 +109,7 @@ MohrCoulombSpec bind_mohr_coulomb(const Fields& f) {
   soil.friction_angle_deg = f.real("friction_angle_deg");
   soil.dilatancy_angle_deg = f.real("dilatancy_angle_deg");
   soil.tension_cutoff = f.real("tension_cutoff");
+  soil.void_memory = f.boolean("void_memory");
   if (f.text("drainage") == "undrained")
     soil.undrained = UndrainedSpec{f.real("porosity"), f.real("fluid_bulk_modulus")};
   return soil;

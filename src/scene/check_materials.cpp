@@ -19,6 +19,10 @@ void check_plasticity(const MohrCoulombSpec& soil, const std::string& key, Repor
     report.add(key + ".dilatancy_angle_deg", to_text(soil.dilatancy_angle_deg),
                "at most friction_angle_deg = " + to_text(soil.friction_angle_deg) + " [degree]");
   }
+  if (angles && soil.void_memory && soil.dilatancy_angle_deg > 0) {
+    report.add(key + ".void_memory", "true with dilatancy_angle_deg = " + to_text(soil.dilatancy_angle_deg),
+               "true with dilatancy_angle_deg = 0, where all plastic volume is that of voids, or false");
+  }
   const bool cutoff = report.healthy(key + ".tension_cutoff") && report.healthy(key + ".cohesion") &&
                       report.healthy(key + ".friction_angle_deg");
   if (!cutoff || soil.friction_angle_deg <= 0) return;

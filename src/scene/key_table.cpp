@@ -166,6 +166,7 @@ constexpr Key keys[] = {
     {"materials", "friction_angle_deg", real, "degree", "model=mohr_coulomb", required, angle, "phi"},
     {"materials", "dilatancy_angle_deg", real, "degree", "model=mohr_coulomb", required, angle, "psi, at most phi"},
     {"materials", "tension_cutoff", real, "Pa", "model=mohr_coulomb", required, not_negative, "largest principal effective stress, at most c cot(phi)"},
+    {"materials", "void_memory", boolean, "", "model=mohr_coulomb", standard("false"), yes_no, "the volume by which the soil opens at the apex or the tension cut-off is kept, and closes again without stress; to be used where soil is torn apart and falls together again (a bag that lands), or it grows; with dilatancy_angle_deg = 0 only"},
     {"materials", "drainage", choice, "", "model=mohr_coulomb", required, words("drained|undrained"), "undrained: pore water moves with the skeleton"},
     {"materials", "porosity", real, "", "drainage=undrained", required, fraction, "n"},
     {"materials", "fluid_bulk_modulus", real, "Pa", "drainage=undrained", required, positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton"},

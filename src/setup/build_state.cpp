@@ -33,11 +33,12 @@ void allocate(Body<Dim>& body) {
     for (auto& component : body.stress) component.assign(n, 0.0);
   if (std::holds_alternative<NeoHookean>(body.material))
     for (int c = 0; c < Dim * Dim; ++c) body.deformation[c].assign(n, c % (Dim + 1) == 0 ? 1.0 : 0.0);
-  if (const auto* soil = std::get_if<MohrCoulomb>(&body.material)) {
+  if (const MohrCoulomb* soil = soil_law(body.material)) {
     body.deviatoric_strain.assign(n, 0.0);
     if (soil->pore_stiffness > 0) body.pore_pressure.assign(n, 0.0);
   }
 }
+  if (std::holds_alternative<MohrCoulombWithVoids>(body.material)) body.gap.assign(n, 0.0);
 
 template <int Dim>
 void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {

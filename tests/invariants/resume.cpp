@@ -77,6 +77,10 @@ TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation:
   check_resumed("tests/scenes/tube.toml", {"grid.spacing=0.2", "time.end=1.0"}, "0.031");
 }
 
+TEST_CASE("Sand with open voids: stopped and resumed, the same") {
+  check_resumed("tests/scenes/thrown_sand.toml", {"bodies.column.jitter=0.2", "time.end=0.5"}, "0.21");
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};
