@@ -221,6 +221,15 @@ struct StillFluidSpec {
   SourceRef at;
   bool operator==(const StillFluidSpec&) const = default;
 };
+/// A line on a body's outline that lets waves out, see boundary/viscous_boundary.
+struct ViscousBoundarySpec {
+  std::string name;
+  std::string body;
+  Point from, to;           ///< ends of the line [m]
+  double spring_depth = 0;  ///< thickness of the layer of the same ground that its spring stands for [m]
+  SourceRef at;
+  bool operator==(const ViscousBoundarySpec&) const = default;
+};
 /// Fluid that is pumped into a body while from <= t < to: its rest volume grows.
 struct PumpSpec {
   std::string body;
@@ -385,6 +394,7 @@ struct Scene {
   std::vector<RigidSpec> rigid;
   std::vector<ContactSpec> contacts;
   std::vector<StillFluidSpec> still_fluids;
+  std::vector<ViscousBoundarySpec> viscous_boundaries;
   std::vector<PumpSpec> pumps;
   std::vector<ExactSpec> exact;
   std::vector<ProbeSpec> probes;

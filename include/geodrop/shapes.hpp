@@ -36,6 +36,10 @@ double perimeter(const Shape& shape);
 /// Distance of a point to the outline, from either side [m].
 double distance_to_outline(const Shape& shape, const Point& x);
 
+/// Unit normal, out of the shape, of a straight piece of its outline (2D); nothing if not just one of the points
+/// `step` [m] beside its middle is inside.
+std::optional<Point> outward_normal(const Shape& shape, const Point& from, const Point& to, double step);
+
 /// A piece of a line along an axis, by the coordinate along that axis [m].
 struct Chord {
   double from, to;

@@ -108,6 +108,24 @@ struct MembraneContact {
   double normal_force = 0;             ///< sum of the magnitudes of normal forces, likewise [N]
 };
 
+/// Points that move with the outermost particles at an edge of the ground; dashpots and springs act on them (2D).
+template <int Dim>
+struct ViscousBoundary {
+  std::string name;
+  int field = 0;                            ///< its body's
+  std::array<double, Dim> normal{};         ///< unit, out of the body
+  double length = 0;                        ///< of the line that belongs to each point [m]
+  double half_size = 0;                     ///< of a point's domain for Basis::gimp, that of the particles [h]
+  double inwards = 0;                       ///< of the edge, by half a particle [m]
+  double impedance_p = 0, impedance_s = 0;  ///< rho c_p, rho c_s [Pa s/m]
+  double spring = 0;                        ///< rho c_p^2 / depth [Pa/m]
+  std::array<Array<double>, Dim> x, v;      ///< [m], [m/s]
+  std::array<Array<double>, Dim> moved;     ///< displacement since the start [m]
+  std::array<Array<double>, Dim> at_start;  ///< traction at the start [Pa]
+
+  std::size_t points() const { return x[0].size(); }
+};
+
 /// How far a state has come to rest, see pipeline/relaxation. Energies in J.
 struct Relaxation {
   double kinetic = 0, kinetic_largest = 0;             ///< after the last step; largest of the present cycle
@@ -138,6 +156,7 @@ struct State {
   std::vector<Membrane<Dim>> membranes;
   std::vector<Contact<Dim>> contacts;
   std::vector<MembraneContact> membrane_contacts;
+  std::vector<ViscousBoundary<Dim>> viscous_boundaries;
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
 

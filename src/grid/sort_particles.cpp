@@ -212,6 +212,8 @@ void renew_active_blocks(const State<Dim>& state, Grid<Dim>& grid) {
     if (body.field == grid.field) mark_blocks<Dim>(body.x, grid.layout, marks);
   for (const Membrane<Dim>& membrane : state.membranes)
     if (membrane.field == grid.field) mark_blocks<Dim>(membrane.x, grid.layout, marks);
+  for (const ViscousBoundary<Dim>& boundary : state.viscous_boundaries)
+    if (boundary.field == grid.field) mark_blocks<Dim>(boundary.x, grid.layout, marks);
   mark_across_seams(grid.layout, marks);
   for (const std::uint32_t block : grid.active_blocks)
     if (!marks[block]) clear_block(grid, block);

@@ -77,6 +77,14 @@ double wave_speed(const Material& material) {
   return std::visit([](const auto& law) { return std::sqrt(wave_modulus(law) / law.density); }, material);
 }
 
+double shear_wave_speed(const Material& material) {
+  const auto shear_modulus = [](const auto& law) {
+    if constexpr (requires { law.shear_modulus; }) return law.shear_modulus;
+    return 0.0;
+  };
+  return std::visit([&](const auto& law) { return std::sqrt(shear_modulus(law) / law.density); }, material);
+}
+
 double kinematic_viscosity(const Material& material) {
   const auto* fluid = std::get_if<Newtonian>(&material);
   return fluid ? fluid->viscosity / fluid->density : 0.0;

@@ -28,6 +28,10 @@ inline constexpr bool is_contact = false;
 template <int Dim>
 inline constexpr bool is_contact<Contact<Dim>> = true;
 template <class T>
+inline constexpr bool is_viscous_boundary = false;
+template <int Dim>
+inline constexpr bool is_viscous_boundary<ViscousBoundary<Dim>> = true;
+template <class T>
 inline constexpr bool is_tracer = false;
 template <int Dim>
 inline constexpr bool is_tracer<Tracer<Dim>> = true;
@@ -59,14 +63,19 @@ auto members(Part& part) {
            steps, cycles, cycles_at_rest] = part;
     return std::tie(kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio,
                     out_of_balance_ratio, steps, cycles, cycles_at_rest);
+  } else if constexpr (is_viscous_boundary<Plain>) {
+    auto& [name, field, normal, length, half_size, inwards, impedance_p, impedance_s, spring, x, v, moved, at_start] =
+        part;
+    return std::tie(name, field, normal, length, half_size, inwards, impedance_p, impedance_s, spring, x, v, moved,
+                    at_start);
   } else if constexpr (is_tracer<Plain>) {
     auto& [name, x, v, initial_x, field] = part;
     return std::tie(name, x, v, initial_x, field);
   } else {
-    auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts, tracers,
-           relaxation] = part;
+    auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts,
+           viscous_boundaries, tracers, relaxation] = part;
     return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts,
-                    tracers, relaxation);
+                    viscous_boundaries, tracers, relaxation);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <geodrop/pipeline.hpp>
 #include <type_traits>
 
+#include "../boundary/viscous_boundary.hpp"
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
 #include "../enclosed/enclosed_fluid.hpp"
@@ -48,6 +49,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool enclosed = any_body(scene, [](const BodySpec& b) { return b.pressure == PressureSupport::enclosed; });
   const bool loads = enclosed || !scene.contacts.empty() || !scene.still_fluids.empty();
   const Scene still = scene.still_fluids.empty() ? Scene{} : scene;
+  const bool viscous = !scene.viscous_boundaries.empty();
   const std::vector<PumpSpec> pumps = scene.pumps;
   const RelaxationSpec relaxation = scene.relaxation;
   const bool relaxes = relaxation.damping == RelaxationSpec::Damping::kinetic;
@@ -83,6 +85,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
   add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [still](S& s, Fields& f, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_membrane_contacts(s, c.dt); for (const G& g : f) add_fluid_loads(s, g); add_still_fluids(still, s); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
+  add(viscous,       "boundaries_to_grid", "points of viscous boundaries -> nodal sums or force",      [](S& s, G& g, const C& c) { boundaries_to_grid(s, g, c.dt); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S&, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(g, gravity, c.dt); });
   add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S&, G& g, const C&) { correct_mass(g); });
   add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, Fields& f, const C& c) { measure_balance(g_vector, c.dt, s, f); });
@@ -92,6 +95,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(enclosed,      "enclosed_rate",     "nodal velocity -> volume rate of enclosed cells",           [](S& s, G& g, const C& c) { update_enclosed_rates(s, g, c.dt); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, Fields& f, const C& c) { grid_to_particles(solver, s, f, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
+  add(viscous,       "grid_to_boundaries", "nodal velocity -> points of viscous boundaries",           [](S& s, G& g, const C& c) { grid_to_boundaries(s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
   add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps, g_vector](S& s, Fields&, const C& c) { pump_fluid(pumps, g_vector, c, s); });
   add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, Fields&, const C&) { damp_kinetically(relaxation, g_vector, s); });

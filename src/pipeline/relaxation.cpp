@@ -49,6 +49,7 @@ void stop_all(State<Dim>& state) {
     stop(body.affine);
   }
   for (Membrane<Dim>& membrane : state.membranes) stop(membrane.v);
+  for (ViscousBoundary<Dim>& boundary : state.viscous_boundaries) stop(boundary.v);
   state.relaxation.kinetic = 0;
 }
 

@@ -178,6 +178,10 @@ StillFluidSpec bind_still_fluid(const Fields& f, SourceRef at) {
   return {f.text("membrane"), f.text("fluid"), f.real("surface"), at};
 }
 
+ViscousBoundarySpec bind_viscous_boundary(const Fields& f, SourceRef at) {
+  return {f.text("name"), f.text("body"), f.point("from"), f.point("to"), f.real("spring_depth"), at};
+}
+
 PumpSpec bind_pump(const Fields& f, SourceRef at) {
   return {f.text("body"), f.real("rate"), f.real("from"), f.real("to"), at};
 }
@@ -292,6 +296,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.rigid = bind_list(complete, report, "rigid", bind_rigid);
   scene.contacts = bind_list(complete, report, "contacts", bind_contact);
   scene.still_fluids = bind_list(complete, report, "still_fluids", bind_still_fluid);
+  scene.viscous_boundaries = bind_list(complete, report, "viscous_boundaries", bind_viscous_boundary);
   scene.pumps = bind_list(complete, report, "pumps", bind_pump);
   scene.stages = bind_list(complete, report, "stages", bind_stage);
   scene.exact = bind_list(complete, report, "exact", bind_exact);

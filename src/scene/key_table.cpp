@@ -32,6 +32,7 @@ constexpr Range penalty_range{"> 0 and <= 4 (stiffer contacts gain energy)", [](
 constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart) to 64",
                       [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
+constexpr Range depth_range{"> 0; inf: no spring", [](double x) { return x > 0; }, true};
 constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 constexpr Range free_text{"any text", [](double) { return true; }};
 constexpr Range growth_range{"> 1 and <= 1.5", [](double x) { return x > 1 && x <= 1.5; }};
@@ -82,6 +83,11 @@ constexpr Section sections[] = {
     {"stages", "[[stages]]", "name",
      "Parts of a run in time order; each lasts until the next one begins, the last until time.end. A body that a stage "
      "`places` is not there before."},
+    {"viscous_boundaries", "[[viscous_boundaries]]", "name",
+     "Edges of the ground that let waves out (Lysmer & Kuhlemeyer 1969): dashpots of rho c_p along the normal, rho c_s "
+     "across it, and along the normal a spring that keeps the edge in place. They take up the stress of the start, so "
+     "that ground at rest stays at rest. The edge is free otherwise: there are at least 4 cells of empty grid beyond "
+     "it. Waves that meet it at right angles leave, oblique ones in part."},
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
@@ -113,6 +119,7 @@ constexpr Key keys[] = {
     {"", "contacts", table_list, "", "", standard("[]"), maybe_none, "what touches what", 2},
     {"", "still_fluids", table_list, "", "", standard("[]"), maybe_none, "still water around membranes", 2},
     {"", "stages", table_list, "", "", standard("[]"), maybe_none, "the parts of a run in time"},
+    {"", "viscous_boundaries", table_list, "", "", standard("[]"), maybe_none, "edges of the ground that let waves out", 2},
     {"", "pumps", table_list, "", "", standard("[]"), maybe_none, "fluid that is pumped in"},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
@@ -245,6 +252,12 @@ constexpr Key keys[] = {
     {"stages", "places", names, "", "", standard("[]"), reference, "bodies that come in, with their membranes"},
     {"stages", "moves", names, "", "", standard("[]"), reference, "rigid bodies whose motion goes on in this stage; all others stand still"},
     {"stages", "removes", names, "", "", standard("[]"), reference, "rigid bodies that are taken away"},
+
+    {"viscous_boundaries", "name", name, "", "", required, identifier, "what messages call it"},
+    {"viscous_boundaries", "body", name, "", "", required, reference, "the solid body whose edge it is"},
+    {"viscous_boundaries", "from", point, "m", "", required, any, "one end of the edge, on the body's outline"},
+    {"viscous_boundaries", "to", point, "m", "", required, any, "its other end; the outline runs straight between them"},
+    {"viscous_boundaries", "spring_depth", real, "m", "", required, depth_range, "thickness of the layer of the same ground, on rock, that the spring stands for: its stiffness is rho c_p^2 / spring_depth"},
 
     {"pumps", "body", name, "", "", required, reference, "which body grows"},
     {"pumps", "rate", real, "m3/s", "", required, positive, "volume at zero pressure per time (2D: per metre of depth, m2/s)"},

@@ -222,4 +222,15 @@ Bounds bounds_within(const Shape& shape, const Bounds& domain) {
   return box;
 }
 
+std::optional<Point> outward_normal(const Shape& shape, const Point& from, const Point& to, double step) {
+  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const Point right{(to[1] - from[1]) / length, (from[0] - to[0]) / length};
+  const auto inside = [&](double off) {
+    return contains(shape, {0.5 * (from[0] + to[0]) + off * right[0], 0.5 * (from[1] + to[1]) + off * right[1]});
+  };
+  const bool on_right = inside(step), on_left = inside(-step);
+  if (on_right == on_left) return std::nullopt;
+  return on_left ? right : Point{-right[0], -right[1]};
+}
+
 }  // namespace geodrop

@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 
+#include "../boundary/viscous_boundary.hpp"
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
 #include "../pipeline/scene_stages.hpp"
@@ -37,8 +38,8 @@ void allocate(Body<Dim>& body) {
     body.deviatoric_strain.assign(n, 0.0);
     if (soil->pore_stiffness > 0) body.pore_pressure.assign(n, 0.0);
   }
-}
   if (std::holds_alternative<MohrCoulombWithVoids>(body.material)) body.gap.assign(n, 0.0);
+}
 
 template <int Dim>
 void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
@@ -240,6 +241,8 @@ State<Dim> build_state(const Scene& scene) {
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   enclose_fluids(scene, state);
+  for (const ViscousBoundarySpec& spec : scene.viscous_boundaries)
+    state.viscous_boundaries.push_back(make_viscous_boundary(scene, spec, state));
   let_bodies_wait(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);

@@ -102,6 +102,12 @@ double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, do
                         still.surface - y);
 }
 
+TotalStress initial_total_stress(const Scene& scene, const BodySpec& spec, double y) {
+  const double density = reference_density(make_material(*find_material(scene, spec.material)));
+  const StressAt at = stress_at(scene, spec.initial_stress, density, y);
+  return {at.vertical - at.fluid_pressure, at.horizontal - at.fluid_pressure};
+}
+
 template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
   if (std::holds_alternative<FromExactSpec>(spec.initial_stress))

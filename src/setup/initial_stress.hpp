@@ -10,6 +10,13 @@ namespace geodrop {
 /// weakly compressible column, so that a column at rest stays at rest at any sound speed.
 double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y);
 
+/// Normal stresses of skeleton and pores together that a body of solid starts with at height y [Pa]; zero if it
+/// starts from an exact solution.
+struct TotalStress {
+  double vertical = 0, horizontal = 0;  ///< tension positive
+};
+TotalStress initial_total_stress(const Scene& scene, const BodySpec& spec, double y);
+
 /// Sets stress, pore pressure, J and mass of all particles; on entry J holds the particle's volume [m3].
 template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body);

@@ -37,14 +37,14 @@ struct Drift {
 template <int Dim>
 Drift run_for_drift(const Scene& scene, int steps) {
   State<Dim> state = build_state<Dim>(scene);
-  Grid<Dim> grid = make_grid<Dim>(scene);
+  Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   const Body<Dim>& body = state.bodies[0];
   const std::vector<double> before = balances(body);
   const double pores = soil_law(body.material)->pore_stiffness;
   Drift drift;
   for (int k = 0; k < steps; ++k) {
-    advance(scene, pipeline, state, grid);
+    advance(scene, pipeline, state, grids);
     for (const double gap : body.gap) drift.gap = std::max(drift.gap, gap);
   }
   const std::vector<double> after = balances(body);
