@@ -81,6 +81,13 @@ TEST_CASE("Sand with open voids: stopped and resumed, the same") {
   check_resumed("tests/scenes/thrown_sand.toml", {"bodies.column.jitter=0.2", "time.end=0.5"}, "0.21");
 }
 
+TEST_CASE("Ground that swings on a viscous boundary with its spring: stopped and resumed, the same") {
+  check_resumed(
+      "tests/scenes/viscous_bed.toml",
+      {"gravity.1=-12", "bodies.bed.jitter=0.2", "time.end=0.3", "solver.transfer=blend", "solver.blend_rate=10"},
+      "0.11");
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};

@@ -102,3 +102,8 @@ TEST_CASE("Graded axes in space: one hash for 1, 2, 3 and 5 threads") {
 TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: one hash for 1, 2, 3 and 5 threads") {
   check_threads("tests/scenes/tube.toml", {"time.end=0.25"});
 }
+
+TEST_CASE("Ground on a viscous boundary, and sand with open voids: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("tests/scenes/viscous_bed.toml", {"grid.spacing=0.125", "bodies.bed.jitter=0.3", "time.end=0.05"});
+  check_threads("tests/scenes/thrown_sand.toml", {"grid.spacing=0.0625", "bodies.column.jitter=0.3", "time.end=0.3"});
+}

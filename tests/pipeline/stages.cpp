@@ -54,6 +54,12 @@ TEST_CASE("The consistent mass matrix is a stage after the momentum; MUSL gives 
               "grid_to_particles", "grid_to_tracers"});
 }
 
+TEST_CASE("A viscous boundary is a stage before the momentum and one after the particles have moved") {
+  CHECK(stages("cases/verification/viscous_boundary.toml") ==
+        Names{"sort_particles", "clear_grid", "particles_to_grid", "boundaries_to_grid", "momentum",
+              "grid_to_particles", "grid_to_boundaries", "grid_to_tracers"});
+}
+
 TEST_CASE("Cell pressure is a choice of the body") {
   const Names with_cells = stages("cases/gravity_column.toml", {"bodies.column.pressure=cell"});
   CHECK(std::count(with_cells.begin(), with_cells.end(), "cell_pressure") == 1);
