@@ -67,7 +67,7 @@ TEST_CASE("The grid receives all of the force, at the right place, apart or with
   const State<2> state = state_with(slanted_edge());
   Grid<2> apart = box_grid(Transfer::blend), joined = box_grid(Transfer::tpic);
   for (Grid<2>* grid : {&apart, &joined})
-    for (Vec4& record : grid->sum) record[3] = 1;  // particles reach every node
+    for (Vec4& record : grid->sum) record[3] = 250;  // full nodes
   boundaries_to_grid(state, apart, dt);
   boundaries_to_grid(state, joined, dt);
   Vec<2> force = Vec<2>::Zero(), expected = Vec<2>::Zero();
@@ -87,6 +87,20 @@ TEST_CASE("The grid receives all of the force, at the right place, apart or with
   CHECK((force - expected).norm() < 1e-9 * expected.norm());
   CHECK(moment == doctest::Approx(expected_moment).epsilon(1e-12));
   CHECK(worst < 1e-9);
+}
+
+TEST_CASE("Nodes with hardly a mass get none of the force, the others all of it") {
+  const State<2> state = state_with(slanted_edge());
+  Grid<2> grid = box_grid(Transfer::blend);
+  for_each_node(grid.layout, 2,
+                [&](int flat, const std::array<int, 2>& i) { grid.sum[flat][3] = i[1] > 3 ? 250 : 1e-9; });
+  boundaries_to_grid(state, grid, dt);
+  double below = 0, above = 0;
+  for_each_node(grid.layout, 2,
+                [&](int flat, const std::array<int, 2>& i) { (i[1] > 3 ? above : below) += grid.force[flat][1]; });
+  const ViscousBoundary<2>& b = state.viscous_boundaries[0];
+  CHECK(below == 0);
+  CHECK(above == doctest::Approx(0.5 * (4e4 + yielding_traction(b, 0)[1] + yielding_traction(b, 1)[1])));
 }
 
 TEST_CASE("The points move with the grid; their displacement counts towards the next sort") {
