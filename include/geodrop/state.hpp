@@ -86,14 +86,39 @@ struct Membrane {
   std::size_t segments() const { return rest_length.size(); }
 };
 
-/// A membrane on the boundary of a rigid half-plane.
+/// A rigid surface and how far it has moved. A pose is a rotation about `centre` and then a displacement.
 template <int Dim>
-struct Contact {
-  std::string membrane, rigid;
-  std::array<double, Dim> point, normal;  ///< of the boundary [m]; unit, out of the rigid body
-  double friction = 0;                    ///< mu [-]
-  double stiffness = 0;                   ///< penalty: pressure per penetration [Pa/m]
-  std::array<Array<double>, Dim> slip;    ///< stretch of the tangential springs of the nodes [m]
+struct RigidBody {
+  std::string name;
+  bool half_plane = false;               ///< else a capsule
+  std::array<double, Dim> from{}, to{};  ///< at the start: ends of the capsule's segment; a point of the half-plane [m]
+  std::array<double, Dim> normal{};      ///< of a half-plane at the start: unit, out of the rigid body
+  double radius = 0;                     ///< of a capsule [m]
+  std::array<double, Dim> centre{};      ///< of rotation [m]
+  bool moving = true;                    ///< its motion goes on
+  bool present = true;                   ///< contacts notice it
+  double moved = 0;                      ///< for how long it has moved [s]
+  double angle = 0;                      ///< anticlockwise from the start [rad]
+  std::array<double, Dim> displacement{};  ///< from the start [m]
+  double angle_rate = 0;                   ///< over the last step [rad/s]
+  std::array<double, Dim> velocity{};      ///< likewise [m/s]
+};
+
+/// A membrane's nodes, or a body's particles, on a rigid body (2D). Nodes and particles are points here.
+template <int Dim>
+struct RigidContact {
+  std::string touching, rigid;
+  bool bare = false;            ///< particles, without a membrane
+  double friction = 0;          ///< mu [-]
+  double stiffness = 0;         ///< penalty: pressure per penetration [Pa/m]
+  double damping = 0;           ///< of the penalty: pressure per normal velocity [Pa s/m]
+  Array<double> reach;          ///< bare: how far its surface is from a particle, by id [m]
+  Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending
+  Array<double> slip;           ///< of each: stretch of its tangential spring, along the normal turned clockwise [m]
+  Array<std::int8_t> side;      ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
+  std::array<double, Dim> normal_force{}, friction_force{};  ///< sums over the points in the last step [N]
+  double normal_sum = 0, friction_sum = 0;                   ///< sums of their sizes, friction with its sign [N]
+  double friction_work = 0, damping_work = 0;                ///< turned into heat so far [J]
 };
 
 /// Two membranes that touch, or the folds of one, see contact/membrane_contact.
@@ -154,7 +179,8 @@ struct State {
   std::uint64_t stages_entered = 0;  ///< of the scene's stages
   std::vector<Body<Dim>> bodies;
   std::vector<Membrane<Dim>> membranes;
-  std::vector<Contact<Dim>> contacts;
+  std::vector<RigidBody<Dim>> rigid;
+  std::vector<RigidContact<Dim>> rigid_contacts;
   std::vector<MembraneContact> membrane_contacts;
   std::vector<ViscousBoundary<Dim>> viscous_boundaries;
   std::vector<Tracer<Dim>> tracers;

@@ -1,23 +1,53 @@
-// Membrane nodes on rigid surfaces: penalty normal to the surface, Coulomb friction along it.
+// Membrane nodes and bare particles on rigid surfaces (2D): penalty normal to the surface, Coulomb friction along it.
 //
-//   f_n = k l max(0, -g)          g = n . (x - x0): gap, l: length of membrane that belongs to the node
-//   xi += dt v_t,  f_t = -k l xi, cut to |f_t| <= mu f_n      xi: stretch of the node's tangential spring
+//   f_n = max(0, k l (-g) - z l v_n)    where g < 0 only; g: gap, of a particle less half its width; l: length that
+//                                       belongs to the point; v: velocity over the surface
+//   xi += dt v_t,  f_t = -k l xi, cut to |f_t| <= mu f_n          xi: stretch of the tangential spring
 //
-// Springs go slack when a node lets go. k = factor P / h, with P the wave modulus of the body behind the membrane: the
-// step is then as stable as without contact up to factor (c dt / h)^2 = 1/2, and a pressure p sinks in by p h / P.
+// Springs are slack where there was no contact in the step before. k = stiffness P / h, z = damping rho c, with P = rho
+// c^2 the wave modulus of the body that touches: a pressure p sinks in by p h / (stiffness P), and a wave that arrives
+// meets the impedance of more of the same body. Stable up to stiffness (c dt / h)^2 = 1/2, see stable_dt.
 #pragma once
 
+#include <geodrop/find_named.hpp>
+#include <geodrop/grid.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 
+#include <vector>
+
+#include "rigid_surface.hpp"
+
 namespace geodrop {
 
-/// Contact of a membrane with a rigid body, its springs slack.
+/// Contact of a membrane or a body with a rigid body, nothing touching yet.
 template <int Dim>
-Contact<Dim> make_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state);
+RigidContact<Dim> make_rigid_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state);
 
-/// Adds to Membrane::load; `dt` [s] stretches the tangential springs.
+/// The body that touches, or that is behind the membrane that does.
+template <int Dim>
+const Body<Dim>& touching_body(const State<Dim>& state, const RigidContact<Dim>& contact) {
+  return find_named(state.bodies, contact.bare ? contact.touching : find_named(state.membranes, contact.touching).body);
+}
+
+/// A membrane node or particle that is about to be looked at.
+struct ContactPoint {
+  std::uint32_t id;  ///< node, or id of the particle
+  Vec<2> x, v;       ///< [m], [m/s]
+  double length;     ///< of surface that belongs to it [m]
+  double reach;      ///< half width: how far its surface is from it [m]
+};
+
+/// Forces [N] on points in ascending order of their ids; those that touch become the contact's.
+std::vector<Vec<2>> contact_forces(const RigidSurface& surface, const std::vector<ContactPoint>& points, double dt,
+                                   RigidContact<2>& contact);
+
+/// Contacts of membranes: adds to Membrane::load; `dt` [s] stretches the tangential springs.
 template <int Dim>
 void add_contact_forces(State<Dim>& state, double dt);
+
+/// Contacts of bare particles: adds to the nodal sums, or to the force where it is kept apart.
+template <int Dim>
+void contact_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt);
 
 }  // namespace geodrop

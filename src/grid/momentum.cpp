@@ -137,6 +137,8 @@ void update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, co
     change = impulse * carried + step.gravity;
     velocity = grid.sum[flat] * inv_m + change;
     if (m < light) left_over.emplace_back(flat, (1 - m / light) * impulse);
+  } else if (impulse[0] != 0 || impulse[1] != 0) {
+    left_over.emplace_back(flat, impulse);  // of a massless skin that reaches beyond the particles
   }
   grid.velocity[flat] = velocity;
   if (!grid.velocity_change.empty()) grid.velocity_change[flat] = change;
@@ -170,6 +172,7 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
         around[n++] = flat + x + y * grid.layout.stride[1] + (Dim == 3 ? z * grid.layout.stride[Dim - 1] : 0);
   double mass = 0;
   for (const int other : around) mass += grid.sum[other][3];
+  if (mass <= 0) return;
   impulse[3] = 0;
   const Vec4 change = impulse / mass;
   for (const int neighbour : around) {

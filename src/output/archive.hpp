@@ -24,9 +24,13 @@ inline constexpr bool is_membrane = false;
 template <int Dim>
 inline constexpr bool is_membrane<Membrane<Dim>> = true;
 template <class T>
-inline constexpr bool is_contact = false;
+inline constexpr bool is_rigid_body = false;
 template <int Dim>
-inline constexpr bool is_contact<Contact<Dim>> = true;
+inline constexpr bool is_rigid_body<RigidBody<Dim>> = true;
+template <class T>
+inline constexpr bool is_rigid_contact = false;
+template <int Dim>
+inline constexpr bool is_rigid_contact<RigidContact<Dim>> = true;
 template <class T>
 inline constexpr bool is_viscous_boundary = false;
 template <int Dim>
@@ -52,9 +56,16 @@ auto members(Part& part) {
            strain, tension, tension_peak, load] = part;
     return std::tie(name, body, field, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
                     rest_length, strain, tension, tension_peak, load);
-  } else if constexpr (is_contact<Plain>) {
-    auto& [membrane, rigid, point, normal, friction, stiffness, slip] = part;
-    return std::tie(membrane, rigid, point, normal, friction, stiffness, slip);
+  } else if constexpr (is_rigid_body<Plain>) {
+    auto& [name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement, angle_rate,
+           velocity] = part;
+    return std::tie(name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement,
+                    angle_rate, velocity);
+  } else if constexpr (is_rigid_contact<Plain>) {
+    auto& [touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force, friction_force,
+           normal_sum, friction_sum, friction_work, damping_work] = part;
+    return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force,
+                    friction_force, normal_sum, friction_sum, friction_work, damping_work);
   } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
     auto& [between, outward, friction, stiffness, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, reach, slip, force, normal_force);
@@ -72,10 +83,10 @@ auto members(Part& part) {
     auto& [name, x, v, initial_x, field] = part;
     return std::tie(name, x, v, initial_x, field);
   } else {
-    auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts,
-           viscous_boundaries, tracers, relaxation] = part;
-    return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, contacts, membrane_contacts,
-                    viscous_boundaries, tracers, relaxation);
+    auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
+           membrane_contacts, viscous_boundaries, tracers, relaxation] = part;
+    return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
+                    membrane_contacts, viscous_boundaries, tracers, relaxation);
   }
 }
 

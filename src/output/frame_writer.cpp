@@ -73,9 +73,11 @@ void FrameWriter::write(const Snapshot& snapshot) {
   write_particles(path("particles", "vtu"), snapshot.particles, snapshot.t, compression_);
   const bool has_membranes = !snapshot.membranes.points.empty();
   if (has_membranes) write_membranes(path("membranes", "vtp"), snapshot.membranes, snapshot.t, compression_);
+  if (snapshot.has_rigid) write_rigid(path("rigid", "vtp"), snapshot.rigid, snapshot.t, compression_);
   written_times_.push_back(snapshot.t);
   write_collection(directory_, "particles", "vtu", written_times_);
   if (has_membranes) write_collection(directory_, "membranes", "vtp", written_times_);
+  if (snapshot.has_rigid) write_collection(directory_, "rigid", "vtp", written_times_);
 }
 
 }  // namespace geodrop

@@ -87,6 +87,24 @@ void list_membrane(Row& row, const std::string& name, const MembraneMeasures<Dim
   row.add(name + ".utilisation_max", membrane.utilisation_max);
 }
 
+/// Sums over all points in contact, in the step before.
+template <int Dim>
+void list_contact(Row& row, const std::string& name, const RigidContact<Dim>& contact) {
+  row.add(name + ".normal_force_N_m", contact.normal_sum);
+  row.add(name + ".friction_force_N_m", contact.friction_sum);
+  row.add_vector(name + ".normal_force", "N_m", contact.normal_force, Dim);
+  row.add_vector(name + ".friction_force", "N_m", contact.friction_force, Dim);
+  row.add(name + ".friction_work_J", contact.friction_work);
+  row.add(name + ".damping_work_J", contact.damping_work);
+}
+
+template <int Dim>
+void list_rigid(Row& row, const std::string& name, const RigidBody<Dim>& rigid) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  row.add(name + ".rotation_deg", rigid.angle * degrees);
+  row.add_vector(name + ".displacement", "m", rigid.displacement, Dim);
+}
+
 template <int Dim>
 void list_totals(Row& row, const Totals<Dim>& totals, const HistoryTable& earlier) {
   row.add("energy.kinetic_J", totals.kinetic);
@@ -169,6 +187,16 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
   for (std::size_t m = 0; m < scene.membranes.size(); ++m)
     list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
                   state ? state->membranes[m].tension_peak : 0, scene.membranes[m].closed);
+  for (const RigidSpec& rigid : scene.rigid)
+    if (!std::holds_alternative<std::monostate>(rigid.motion))
+      list_rigid(row, rigid.name, state ? find_named(state->rigid, rigid.name) : RigidBody<Dim>{});
+  std::size_t rigid_contacts = 0;
+  for (const ContactSpec& contact : scene.contacts) {
+    const ContactPair pair = contact_pair(scene, contact);
+    if (pair.kind != ContactPair::Kind::membranes)
+      list_contact(row, pair.touching + '.' + pair.other,
+                   state ? state->rigid_contacts[rigid_contacts++] : RigidContact<Dim>{});
+  }
   if (scene.relaxation.damping != RelaxationSpec::Damping::none)
     list_relaxation(row, state ? state->relaxation : Relaxation{});
   list_totals(row, state ? measure(*state, scene.gravity) : Totals<Dim>{}, earlier);

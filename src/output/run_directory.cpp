@@ -17,12 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array run_files = {"run.log",       "scene.toml",    "history.csv", "summary.json", "checkpoint.bin",
-                                  "particles.pvd", "membranes.pvd", "history.svg", "history.png"};
+                                  "particles.pvd", "membranes.pvd", "rigid.pvd",   "history.svg",  "history.png"};
 
 /// Number of a frame from its file name; empty if it is not a frame's.
 std::optional<std::size_t> frame_number(std::string_view name) {
   for (const auto& [before, after] : {std::pair<std::string_view, std::string_view>{"particles_", ".vtu"},
-                                      std::pair<std::string_view, std::string_view>{"membranes_", ".vtp"}}) {
+                                      std::pair<std::string_view, std::string_view>{"membranes_", ".vtp"},
+                                      std::pair<std::string_view, std::string_view>{"rigid_", ".vtp"}}) {
     if (!name.starts_with(before) || !name.ends_with(after) || name.size() <= before.size() + after.size()) continue;
     const std::string_view digits = name.substr(before.size(), name.size() - before.size() - after.size());
     std::size_t number = 0;

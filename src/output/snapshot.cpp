@@ -5,6 +5,8 @@
 #include <geodrop/measure.hpp>
 #include <limits>
 
+#include "../contact/rigid_surface.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -101,6 +103,24 @@ void append_membrane(const Membrane<Dim>& membrane, std::uint8_t index, Membrane
   }
 }
 
+void append_rigid(const RigidBody<2>& body, std::uint8_t index, RigidSnapshot& out) {
+  const RigidSurface surface(body);
+  const std::vector<Vec<2>> corners = outline(body);
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  for (const Vec<2>& x : corners) {
+    const Vec<2> v = surface.velocity(x);
+    out.points.insert(out.points.end(), {narrow(x[0]), narrow(x[1]), 0.0F});
+    auto& velocity = out.fields[0].values;
+    velocity.insert(velocity.end(), {narrow(v[0]), narrow(v[1]), 0.0F});
+  }
+  for (std::uint32_t line = 0; line + 1 < count || (line < count && !body.half_plane); ++line) {
+    out.connectivity.push_back(first + line);
+    out.connectivity.push_back(first + (line + 1) % count);
+    out.rigid.push_back(index);
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -112,6 +132,11 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   for (std::size_t m = 0; m < state.membranes.size(); ++m)
     if (state.membranes[m].field != waiting)
       append_membrane(state.membranes[m], static_cast<std::uint8_t>(m), snapshot.membranes);
+  snapshot.has_rigid = !state.rigid.empty();
+  snapshot.rigid.fields = {{"velocity", vector_components, {}}};
+  if constexpr (Dim == 2)
+    for (std::size_t r = 0; r < state.rigid.size(); ++r)
+      if (state.rigid[r].present) append_rigid(state.rigid[r], static_cast<std::uint8_t>(r), snapshot.rigid);
   return snapshot;
 }
 

@@ -35,11 +35,21 @@ struct MembraneSnapshot {
   std::vector<std::uint8_t> membrane;       ///< index in the scene, per segment
 };
 
+/// Lines of the surfaces of all rigid bodies that are there.
+struct RigidSnapshot {
+  std::vector<float> points;                ///< three per corner [m]
+  std::vector<std::uint32_t> connectivity;  ///< two corners per line
+  std::vector<Field> fields;                ///< per corner
+  std::vector<std::uint8_t> rigid;          ///< index in the scene, per line
+};
+
 struct Snapshot {
   double t = 0;           ///< [s]
   std::size_t index = 0;  ///< of the frame, in file names
   ParticleSnapshot particles;
   MembraneSnapshot membranes;  ///< empty if the scene has none
+  bool has_rigid = false;      ///< the scene has rigid bodies, there or not
+  RigidSnapshot rigid;
 };
 
 /// `materials`: names in the order of the scene.

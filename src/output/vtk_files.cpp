@@ -84,6 +84,16 @@ vtkSmartPointer<vtkCellArray> make_cells(vtkTypeInt32Array* connectivity, int si
   return array;
 }
 
+/// Lines of two points each.
+vtkSmartPointer<vtkPolyData> make_lines(const std::vector<float>& points, const std::vector<std::uint32_t>& ends) {
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  set_points(lines, points);
+  vtkNew<vtkTypeInt32Array> connectivity;
+  for (const std::uint32_t node : ends) connectivity->InsertNextValue(static_cast<vtkTypeInt32>(node));
+  lines->SetLines(make_cells(connectivity, 2));
+  return lines;
+}
+
 /// VTK's own codes begin where errno's end.
 std::string describe(unsigned long code, const std::string& reported) {
   if (code == vtkErrorCode::OutOfDiskSpaceError) return "no space left on the disk";
@@ -158,14 +168,18 @@ void write_particles(const std::filesystem::path& path, const ParticleSnapshot& 
 
 void write_membranes(const std::filesystem::path& path, const MembraneSnapshot& membranes, double t,
                      Compression compression) {
-  vtkNew<vtkPolyData> lines;
-  set_points(lines, membranes.points);
-  vtkNew<vtkTypeInt32Array> connectivity;
-  for (const std::uint32_t node : membranes.connectivity)
-    connectivity->InsertNextValue(static_cast<vtkTypeInt32>(node));
-  lines->SetLines(make_cells(connectivity, 2));
+  const auto lines = make_lines(membranes.points, membranes.connectivity);
   add_fields(lines->GetCellData(), membranes.fields);
   add<vtkUnsignedCharArray>(lines->GetCellData(), "membrane", membranes.membrane);
+  set_time(lines, t);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  write(writer, lines, path, compression);
+}
+
+void write_rigid(const std::filesystem::path& path, const RigidSnapshot& rigid, double t, Compression compression) {
+  const auto lines = make_lines(rigid.points, rigid.connectivity);
+  add_fields(lines->GetPointData(), rigid.fields);
+  add<vtkUnsignedCharArray>(lines->GetCellData(), "rigid", rigid.rigid);
   set_time(lines, t);
   vtkNew<vtkXMLPolyDataWriter> writer;
   write(writer, lines, path, compression);

@@ -21,6 +21,9 @@ void write_particles(const std::filesystem::path& path, const ParticleSnapshot& 
 void write_membranes(const std::filesystem::path& path, const MembraneSnapshot& membranes, double t,
                      Compression compression);
 
+/// Every line of an outline a line cell.
+void write_rigid(const std::filesystem::path& path, const RigidSnapshot& rigid, double t, Compression compression);
+
 /// `kind`.pvd in `directory` with the files of frames 0..times.size()-1, written whole and renamed, so that a reader
 /// never sees half of it.
 void write_collection(const std::filesystem::path& directory, const std::string& kind, const std::string& extension,

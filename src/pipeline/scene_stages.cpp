@@ -23,6 +23,10 @@ template <int Dim>
 void enter(const StageSpec& stage, const std::vector<int>& fields, State<Dim>& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b)
     if (is_listed(stage.places, state.bodies[b].name)) set_field(state.bodies[b].name, fields[b], state);
+  for (RigidBody<Dim>& rigid : state.rigid) {
+    rigid.moving = is_listed(stage.moves, rigid.name);
+    if (is_listed(stage.removes, rigid.name)) rigid.present = false;
+  }
   if (!stage.places.empty()) state.drift = -1;  // sort, and with it renew the active blocks
 }
 

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <geodrop/error.hpp>
 #include <geodrop/pipeline.hpp>
+#include <limits>
 #include <sstream>
 
+#include "../contact/surface_contact.hpp"
 #include "../materials/neo_hookean.hpp"
 
 namespace geodrop {
@@ -42,6 +44,29 @@ double damped(double dt, double rate) {
   return dt * (std::sqrt(1 + xi * xi) - xi);
 }
 
+/// Largest step that penalties allow: k dt^2 / (rho h) = stiffness (c dt / h)^2 <= 1/2, and of their damping
+/// z dt / (rho h) = damping c dt / h <= 1/2.
+template <int Dim>
+double contact_dt(const State<Dim>& state, double h) {
+  constexpr double most = 0.5;  // of springs on mass that moves with its cell; beyond it contact gains energy
+  double dt = std::numeric_limits<double>::infinity();
+  for (const RigidContact<Dim>& contact : state.rigid_contacts) {
+    const double mass = reference_density(touching_body(state, contact).material) * h;
+    dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
+  }
+  return dt;
+}
+
+/// Largest speed of capsules that something may touch [m/s]; a half-plane that turns has no largest one.
+template <int Dim>
+double surface_speed(const State<Dim>& state) {
+  double speed = 0;
+  if constexpr (Dim == 2)
+    for (const RigidBody<2>& body : state.rigid)
+      if (body.present) speed = std::max(speed, RigidSurface(body).speed());
+  return speed;
+}
+
 }  // namespace
 
 /// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h) (design.md section 2); viscosity: dt <= h^2 / (2 d
@@ -60,7 +85,9 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
   }
   for (const Membrane<Dim>& membrane : state.membranes)
     membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));
-  double dt = scene.solver.courant * layout.finest / (std::sqrt(c2 + membrane2) + state.v_max);
+  double dt =
+      scene.solver.courant * layout.finest / (std::sqrt(c2 + membrane2) + std::max(state.v_max, surface_speed(state)));
+  dt = std::min(dt, contact_dt(state, layout.finest));
   if (nu > 0) dt = std::min(dt, scene.solver.courant * layout.finest * layout.finest / (2 * Dim * nu));
   dt = damped(dt, state.damping_rate);
   constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end

@@ -163,15 +163,28 @@ MembraneSpec bind_membrane(const Fields& f, SourceRef at) {
   return membrane;
 }
 
+RigidShape bind_rigid_shape(const Fields& f) {
+  if (f.text("type") == "capsule") return CapsuleShape{f.point("from"), f.point("to"), f.real("radius")};
+  return HalfPlaneShape{f.point("point"), f.point("normal")};
+}
+
+RigidMotion bind_rigid_motion(const Fields& f) {
+  const std::string type = f.text("type");
+  if (type == "hinge") return HingeMotionSpec{f.point("centre"), f.real("rate"), f.real("stop_angle_deg")};
+  if (type == "translation") return TranslationMotionSpec{f.point("velocity")};
+  if (type == "table")
+    return TableMotionSpec{f.reals("times"), f.point("centre"), f.reals("angles_deg"), f.points("displacements")};
+  return std::monostate{};
+}
+
 RigidSpec bind_rigid(const Fields& f, SourceRef at) {
-  const Fields shape = f.sub("shape");
-  return {f.text("name"), {shape.point("point"), shape.point("normal")}, at};
+  return {f.text("name"), bind_rigid_shape(f.sub("shape")), bind_rigid_motion(f.sub("motion")), at};
 }
 
 ContactSpec bind_contact(const Fields& f, SourceRef at) {
   std::vector<std::string> between = f.names("between");
   if (between.size() != 2) between.assign(2, "");  // check_contacts refuses that
-  return {{between[0], between[1]}, f.real("friction"), f.real("stiffness"), at};
+  return {{between[0], between[1]}, f.real("friction"), f.real("stiffness"), f.real("damping"), at};
 }
 
 StillFluidSpec bind_still_fluid(const Fields& f, SourceRef at) {

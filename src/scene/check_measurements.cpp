@@ -11,11 +11,20 @@
 namespace geodrop {
 namespace {
 
-/// Bodies, membranes and probes have columns "name.quantity", as the whole has.
+/// Bodies, membranes, rigid bodies that move and probes have columns "name.quantity", as the whole has; contacts have
+/// "name.name.quantity".
 std::vector<std::string> column_owners(const Scene& scene) {
   std::vector<std::string> owners = names_of(scene.bodies);
   const std::vector<std::string> membranes = names_of(scene.membranes);
   owners.insert(owners.end(), membranes.begin(), membranes.end());
+  for (const RigidSpec& rigid : scene.rigid)
+    if (!std::holds_alternative<std::monostate>(rigid.motion)) owners.push_back(rigid.name);
+  for (const ContactSpec& contact : scene.contacts) {
+    const ContactPair pair = contact_pair(scene, contact);
+    const bool rigid =
+        pair.kind == ContactPair::Kind::membrane_on_rigid || pair.kind == ContactPair::Kind::body_on_rigid;
+    if (rigid) owners.push_back(pair.touching + '.' + pair.other);
+  }
   for (const ProbeSpec& probe : scene.probes) {
     const std::string name = std::visit([](const auto& p) { return p.name; }, probe.probe);
     if (!name.empty()) owners.push_back(name);
@@ -27,12 +36,14 @@ std::vector<std::string> column_owners(const Scene& scene) {
 void check_column(const Scene& scene, const std::string& key, const std::string& column, Report& report) {
   if (!report.healthy(key)) return;
   const std::vector<std::string> parts = split(column, '.');
-  const bool formed = parts.size() <= 2 && std::all_of(parts.begin(), parts.end(), is_identifier);
+  const bool formed = parts.size() <= 3 && std::all_of(parts.begin(), parts.end(), is_identifier);
   if (!formed) {
     report.add(key, '"' + column + '"',
                "a column of history.csv: QUANTITY or NAME.QUANTITY, e.g. container.velocity_y_m_s");
-  } else if (parts.size() == 2) {
-    check_reference(key, parts[0], column_owners(scene), "bodies, membranes or probes", report);
+  } else if (parts.size() > 1) {
+    const std::string owner = column.substr(0, column.rfind('.'));
+    check_reference(key, owner, column_owners(scene), "bodies, membranes, moving rigid bodies, contacts or probes",
+                    report);
   }
 }
 

@@ -35,6 +35,12 @@ void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const st
   }
 }
 
+void check_strength(const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.strength > 0 || membrane.axial_stiffness == 0 || !report.healthy(key + ".strength")) return;
+  report.add(key + ".strength", "no strength of a membrane with axial_stiffness = " + to_text(membrane.axial_stiffness),
+             "a number > 0 [N/m]");
+}
+
 /// The running mean of a closed membrane is over 2 w + 1 different segments.
 void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   const BodySpec* body = find_body(scene, membrane.body);
@@ -57,6 +63,7 @@ void check_membranes(const Scene& scene, Report& report) {
     const bool known = check_reference(key + ".body", membrane.body, names_of(scene.bodies), "bodies", report);
     if (!report.healthy(key + ".points") || !report.healthy(key + ".closed") || !report.healthy("dimension")) continue;
     check_count(membrane, key, report);
+    check_strength(membrane, key, report);
     if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
     check_averaging(scene, membrane, key, report);

@@ -24,4 +24,19 @@ const ExactSpec* find_exact(const Scene& scene, const std::string& body) {
   return find_by(&ExactSpec::body, scene.exact, body);
 }
 
+ContactPair contact_pair(const Scene& scene, const ContactSpec& contact) {
+  const auto& [a, b] = contact.between;
+  const auto is_membrane = [&](const std::string& name) {
+    return find_by(&MembraneSpec::name, scene.membranes, name) != nullptr;
+  };
+  if (is_membrane(a) && is_membrane(b)) return {ContactPair::Kind::membranes, a, b};
+  const bool b_is_rigid = find_by(&RigidSpec::name, scene.rigid, b) != nullptr;
+  const std::string &touching = b_is_rigid ? a : b, &other = b_is_rigid ? b : a;
+  if (!find_by(&RigidSpec::name, scene.rigid, other)) return {};
+  if (is_membrane(touching)) return {ContactPair::Kind::membrane_on_rigid, touching, other};
+  const bool covered = find_by(&MembraneSpec::body, scene.membranes, touching) != nullptr;
+  if (find_body(scene, touching) && !covered) return {ContactPair::Kind::body_on_rigid, touching, other};
+  return {};
+}
+
 }  // namespace geodrop

@@ -24,6 +24,7 @@ constexpr Range poisson{"> -1 and < 0.5", [](double x) { return x > -1 && x < 0.
 constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
 constexpr Range courant_range{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
 constexpr Range percent{">= 0 and <= 100", [](double x) { return x >= 0 && x <= 100; }};
+constexpr Range share{">= 0 and <= 1", [](double x) { return x >= 0 && x <= 1; }};
 constexpr Range two_or_three{"2 or 3", [](double x) { return x == 2 || x == 3; }};
 constexpr Range per_axis{"1 to 8", [](double x) { return x >= 1 && x <= 8; }};
 constexpr Range bands{"1 to 255", [](double x) { return x >= 1 && x <= 255; }};
@@ -70,13 +71,19 @@ constexpr Section sections[] = {
     {"bodies.initial_velocity", "initial_velocity of a body", "", "An inline table; `type` says which keys it has."},
     {"bodies.initial_stress", "initial_stress of a body", "", "An inline table; `type` says which keys it has."},
     {"membranes", "[[membranes]]", "name",
-     "Tension-only geotextiles on the outline of a body; in two dimensions only."},
+     "Tension-only geotextiles on the outline of a body; in two dimensions only. Without stiffness and mass a membrane "
+     "is "
+     "a skin, which marks the outline that contacts act on."},
     {"relaxation", "[relaxation]", "",
      "Dynamic relaxation to a state at rest; both ratios have to hold over three cycles of kinetic damping in a row."},
-    {"rigid", "[[rigid]]", "name", "Rigid bodies that do not move; only what `contacts` names notices them."},
-    {"rigid.shape", "shape of a rigid body", "", "An inline table."},
+    {"rigid", "[[rigid]]", "name", "Rigid ground, walls and hulls; only what `contacts` names notices them."},
+    {"rigid.shape", "shape of a rigid body", "",
+     "An inline table; `type` says which keys it has. What comes beside the segment of a capsule stays on the side on "
+     "which it came, down to twice the radius deep."},
+    {"rigid.motion", "motion of a rigid body", "", "An inline table; `type` says which keys it has."},
     {"contacts", "[[contacts]]", "",
-     "Surface contact of a membrane's nodes with a rigid body: penalty normal to it, Coulomb friction along it."},
+     "Surface contact of a membrane's nodes, or of the particles of a body without membrane, with a rigid body, and of "
+     "membranes with each other or their own folds: penalty normal to the surface, Coulomb friction along it."},
     {"still_fluids", "[[still_fluids]]", "membrane",
      "Still water in a basin so large that a tube does not move it: its pressure, gamma times depth, acts on a closed "
      "membrane from outside, also where that lies on the ground. A body of water that moves is one of `bodies`."},
@@ -225,7 +232,7 @@ constexpr Key keys[] = {
     {"membranes", "closed", boolean, "", "", standard("true"), yes_no, "the last point joins the first"},
     {"membranes", "axial_stiffness", real, "N/m", "", required, not_negative, "J, tension per strain; 0 with mass_per_area = 0: a skin that only carries contact"},
     {"membranes", "mass_per_area", real, "kg/m2", "", required, not_negative, "mass per area"},
-    {"membranes", "strength", real, "N/m", "", required, positive, "tension at which it would tear"},
+    {"membranes", "strength", real, "N/m", "", standard("0.0"), not_negative, "tension at which it would tear, > 0; may be left out if axial_stiffness is 0"},
     {"membranes", "slack", real, "", "", required, not_negative, "rest length / drawn length - 1"},
     {"membranes", "segments_per_cell", real, "", "", standard("4.0"), dense, "nodes are h / segments_per_cell apart"},
     {"membranes", "averaging_segments", integer, "", "", standard("2"), window, "half width of the running mean of strain and force"},
@@ -233,13 +240,30 @@ constexpr Key keys[] = {
     {"rigid", "name", name, "", "", required, identifier, "what contacts refer to"},
     {"rigid", "shape", table, "", "", required, one_table, "where it is"},
 
-    {"rigid.shape", "type", choice, "", "", required, words("half_plane"), "which shape"},
-    {"rigid.shape", "point", point, "m", "", required, any, "a point of the boundary"},
-    {"rigid.shape", "normal", point, "", "", required, any, "points out of the rigid body; of any length"},
+    {"rigid", "motion", table, "", "", standard("{ type = \"none\" }"), one_table, "how it moves"},
 
-    {"contacts", "between", names, "", "", required, reference, "a membrane and a rigid body, two membranes, or one membrane twice for its own folds"},
+    {"rigid.shape", "type", choice, "", "", required, words("half_plane|capsule"), "which shape; capsule: a segment with rounded ends"},
+    {"rigid.shape", "point", point, "m", "type=half_plane", required, any, "a point of the boundary"},
+    {"rigid.shape", "normal", point, "", "type=half_plane", required, any, "points out of the rigid body; of any length"},
+    {"rigid.shape", "from", point, "m", "type=capsule", required, any, "one end of the segment"},
+    {"rigid.shape", "to", point, "m", "type=capsule", required, any, "its other end; the same point: a disc"},
+    {"rigid.shape", "radius", real, "m", "type=capsule", required, positive, "of the ends, half the thickness"},
+
+    {"rigid.motion", "type", choice, "", "", required, words("none|hinge|translation|table"), "hinge: rotation at a constant rate; translation: at a constant velocity; table: either, piecewise linear in time"},
+    {"rigid.motion", "rate", real, "rad/s", "type=hinge", required, not_zero, "anticlockwise"},
+    {"rigid.motion", "stop_angle_deg", real, "degree", "type=hinge", required, positive, "how far it turns, in either sense"},
+    {"rigid.motion", "velocity", point, "m/s", "type=translation", required, any, "of all its points"},
+    {"rigid.motion", "of", choice, "", "type=table", required, words("angle|displacement"), "what the table lists"},
+    {"rigid.motion", "times", reals, "s", "type=table", required, not_negative, "ascending; it is at rest before the first and after the last"},
+    {"rigid.motion", "angles_deg", reals, "degree", "of=angle", required, any, "one for each time, anticlockwise from the start"},
+    {"rigid.motion", "displacements", points, "m", "of=displacement", required, any, "one for each time, from the start"},
+    {"rigid.motion", "centre", point, "m", "type=hinge", required, any, "of the rotation"},
+    {"rigid.motion", "centre", point, "m", "of=angle", required, any, "of the rotation"},
+
+    {"contacts", "between", names, "", "", required, reference, "in any order a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds"},
     {"contacts", "friction", real, "", "", required, not_negative, "coefficient of Coulomb friction"},
-    {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body behind the membrane, h the cell"},
+    {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body that touches, h the cell. The step is at most h / (c sqrt(2 stiffness))"},
+    {"contacts", "damping", real, "", "", standard("1.0"), share, "of the penalty of a rigid body: pressure per normal velocity over the impedance rho c of the body that touches; 1 absorbs what its own waves bring"},
 
     {"still_fluids", "membrane", name, "", "", required, reference, "the closed membrane that it presses on"},
     {"still_fluids", "fluid", name, "", "", required, reference, "the newtonian material of the fluid"},

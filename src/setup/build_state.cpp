@@ -210,6 +210,20 @@ void enclose_fluids(const Scene& scene, State<Dim>& state) {
   }
 }
 
+void add_contacts(const Scene& scene, State<2>& state) {
+  for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_rigid_body(spec, scene.grid));
+  for (const ContactSpec& spec : scene.contacts) {
+    const ContactPair pair = contact_pair(scene, spec);
+    if (pair.kind == ContactPair::Kind::membranes)
+      state.membrane_contacts.push_back(make_membrane_contact(scene, spec, state));
+    else
+      state.rigid_contacts.push_back(make_rigid_contact(scene, spec, state));
+    allocate_loads(state, [&](const Membrane<2>& membrane) {
+      return membrane.name == pair.touching || membrane.name == pair.other;
+    });
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -229,15 +243,7 @@ State<Dim> build_state(const Scene& scene) {
     state.membranes.push_back(build_membrane<Dim>(scene, spec));
     state.membranes.back().field = find_named(state.bodies, spec.body).field;
   }
-  for (const ContactSpec& spec : scene.contacts) {
-    if constexpr (Dim == 2)
-      if (is_named(scene.membranes, spec.between[1]))
-        state.membrane_contacts.push_back(make_membrane_contact(scene, spec, state));
-    if (is_named(scene.rigid, spec.between[1])) state.contacts.push_back(make_contact(scene, spec, state));
-    allocate_loads(state, [&](const Membrane<Dim>& membrane) {
-      return membrane.name == spec.between[0] || membrane.name == spec.between[1];
-    });
-  }
+  if constexpr (Dim == 2) add_contacts(scene, state);
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   enclose_fluids(scene, state);

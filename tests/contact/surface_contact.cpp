@@ -25,11 +25,20 @@ State<2> line_on_ground(double friction) {
     for (auto& component : *values) component.assign(3, 0.0);
   m.mass.assign(3, 1.0);
   m.rest_length = {0.4, 0.3};
-  Contact<2> contact{"sheet", "ground", {0, 1}, {0, 1}, friction, stiffness, {}};
-  for (auto& component : contact.slip) component.assign(3, 0.0);
+  RigidContact<2> contact;
+  contact.touching = "sheet";
+  contact.rigid = "ground";
+  contact.friction = friction;
+  contact.stiffness = stiffness;
+  RigidBody<2> ground;
+  ground.name = "ground";
+  ground.half_plane = true;
+  ground.from = ground.to = {0, 1};
+  ground.normal = {0, 1};
   State<2> state;
   state.membranes = {m};
-  state.contacts = {contact};
+  state.rigid = {ground};
+  state.rigid_contacts = {contact};
   return state;
 }
 
@@ -60,8 +69,8 @@ double weight(const Scene& scene, const State<2>& state) {
 std::array<double, 2> contact_force(State<2>& state) {
   clear_membrane_loads(state);
   add_contact_forces(state, 0);
-  const auto& load = state.membranes[0].load;
-  return {std::accumulate(load[0].begin(), load[0].end(), 0.0), std::accumulate(load[1].begin(), load[1].end(), 0.0)};
+  const RigidContact<2>& contact = state.rigid_contacts[0];
+  return {contact.normal_force[0] + contact.friction_force[0], contact.normal_force[1] + contact.friction_force[1]};
 }
 
 }  // namespace
@@ -98,8 +107,8 @@ TEST_CASE("Contact adds to the loads that are there") {
 
 TEST_CASE("A slope pushes along its normal, and drags along itself only") {
   State<2> state = line_on_ground(10);
-  state.contacts[0].normal = {-0.6, 0.8};
-  state.contacts[0].point = {1.2 - 0.6 * 1e-3, 0.999 + 0.8 * 1e-3};                // the last node is 1 mm inside
+  state.rigid[0].normal = {-0.6, 0.8};
+  state.rigid[0].from = {1.2 - 0.6 * 1e-3, 0.999 + 0.8 * 1e-3};                    // the last node is 1 mm inside
   for (int k = 0; k < 2; ++k) state.membranes[0].x[0][k] = -5;                     // and the others are far outside
   state.membranes[0].v = {Array<double>{0, 0, -0.06}, Array<double>{0, 0, 0.08}};  // along the normal
   auto load = load_inside(state);
@@ -139,7 +148,7 @@ TEST_CASE("A node that lets go forgets its spring") {
   CHECK(load_inside(state)[0] < 0);
   state.membranes[0].x[1][2] = 1.0001;
   CHECK(load_inside(state)[0] == 0);
-  CHECK(state.contacts[0].slip[0][2] == 0);
+  CHECK(state.rigid_contacts[0].points.empty());
   state.membranes[0].x[1][2] = 0.999;
   state.membranes[0].v[0][2] = 0;
   CHECK(load_inside(state)[0] == 0);
@@ -150,16 +159,16 @@ TEST_CASE("A contact from a scene: unit normal, stiffness over the modulus of wa
       read_scene(source_path("tests/scenes/tube.toml"),
                  {"contacts.0.stiffness=0.5", "rigid.ground.shape.normal=[0.0, 7.0]", "grid.spacing=0.2"});
   const State<2> state = build_state<2>(scene);
-  REQUIRE(state.contacts.size() == 1);
-  const Contact<2>& contact = state.contacts[0];
-  CHECK(contact.normal == std::array<double, 2>{0, 1});
-  CHECK(contact.point == std::array<double, 2>{0, 0});
+  REQUIRE(state.rigid_contacts.size() == 1);
+  const RigidContact<2>& contact = state.rigid_contacts[0];
+  CHECK_FALSE(contact.bare);
+  REQUIRE(state.rigid.size() == 1);
+  CHECK(state.rigid[0].half_plane);
+  CHECK(state.rigid[0].normal == std::array<double, 2>{0, 1});
+  CHECK(state.rigid[0].from[1] == 0);
   CHECK(contact.friction == 0.3);
   CHECK(contact.stiffness == doctest::Approx(0.5 * 1200 * 100 * 100 / 0.2).epsilon(1e-12));
-  for (const auto& component : contact.slip) {
-    CHECK(component.size() == state.membranes[0].nodes());
-    for (const double slip : component) CHECK(slip == 0);
-  }
+  CHECK(contact.points.empty());
   CHECK(state.membranes[0].load[0].size() == state.membranes[0].nodes());
 }
 

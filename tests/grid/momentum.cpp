@@ -105,6 +105,22 @@ TEST_CASE("A light node is not thrown away by a force that belongs to its neighb
   CHECK(grid.velocity[heavy][0] == doctest::Approx(1.0 / 50).epsilon(1e-5));
 }
 
+TEST_CASE("What pushes a node without mass, as a skin beyond the particles does, pushes its neighbourhood") {
+  Nodes<2> nodes(12, 4, WallKind::slip, Transfer::blend);
+  Grid<2>& grid = nodes.grid;
+  std::fill(grid.cell_pressure.begin(), grid.cell_pressure.end(), 0.0);
+  std::fill(grid.sum.begin(), grid.sum.end(), Vec4{});
+  std::fill(grid.force.begin(), grid.force.end(), Vec4{});
+  const int empty = grid.layout.index({6, 6}), heavy = grid.layout.index({7, 7}), far = grid.layout.index({4, 2});
+  grid.sum[heavy][3] = 50 * grid.light_mass;
+  grid.force[empty][1] = grid.light_mass / dt;
+  grid.force[far][1] = grid.light_mass / dt;  // nothing near that could move
+  nodes.update();
+  CHECK(grid.velocity[heavy][1] == doctest::Approx(1.0 / 50).epsilon(1e-14));
+  CHECK(grid.velocity[empty][1] == 0);
+  CHECK(grid.velocity[far][1] == 0);
+}
+
 TEST_CASE("On a slip wall the normal velocity is zero and the tangential one is free; ghosts are mirror images") {
   Nodes<3> nodes(6, 0, WallKind::slip, Transfer::blend);
   nodes.gravity = {0.3, -9, 2};

@@ -88,6 +88,10 @@ TEST_CASE("Ground that swings on a viscous boundary with its spring: stopped and
       "0.11");
 }
 
+TEST_CASE("Bare and skinned blocks between rigid bodies that move: stopped and resumed, the same") {
+  check_resumed("tests/scenes/ramp.toml", {}, "0.12");
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};

@@ -99,6 +99,11 @@ TEST_CASE("Graded axes in space: one hash for 1, 2, 3 and 5 threads") {
                                                      "{axis='z',from=1.8,to=2.1,spacing=0.07,growth=1.3}]"});
 }
 
+TEST_CASE("Bare and skinned blocks between rigid bodies that move: one hash for 1, 2, 3 and 5 threads") {
+  // Finer than the scene: enough particles for threads to be used.
+  check_threads("tests/scenes/ramp.toml", {"grid.spacing=0.03125", "time.end=0.15"});
+}
+
 TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: one hash for 1, 2, 3 and 5 threads") {
   check_threads("tests/scenes/tube.toml", {"time.end=0.25"});
 }

@@ -160,6 +160,42 @@ TEST_CASE("an open membrane has no area") {
   CHECK(row.at("skin.length_m") == 6);
 }
 
+TEST_CASE("contacts: sums of their forces, work; rigid bodies that move: their pose") {
+  Scene scene = small_scene();
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[2].name = "log";
+  scene.rigid = {{"floor", HalfPlaneShape{{0, 0}, {0, 1}}, {}, {}},
+                 {"gate", CapsuleShape{{0, 0}, {0, 1}, 0.1}, HingeMotionSpec{{0, 1}, 1, 40}, {}}};
+  scene.contacts = {{{"gate", "skin"}, 0.3, 1, 1, {}}, {{"log", "floor"}, 0.3, 1, 1, {}}};
+  State<2> state = small_state();
+  state.bodies.push_back(state.bodies[0]);
+  state.rigid.resize(2);
+  state.rigid[0].name = "floor";
+  state.rigid[1].name = "gate";
+  state.rigid[1].angle = 0.5;
+  state.rigid[1].displacement = {1, 2};
+  state.rigid_contacts.resize(2);
+  RigidContact<2>& skin = state.rigid_contacts[0];
+  skin.normal_force = {3, 4};
+  skin.friction_force = {-0.8, 0.6};
+  skin.normal_sum = 5;
+  skin.friction_sum = -1;
+  skin.friction_work = 7;
+  skin.damping_work = 8;
+  state.rigid_contacts[1].normal_sum = 11;
+  const auto row = row_of(scene, state);
+  CHECK(row.at("skin.gate.normal_force_N_m") == 5);
+  CHECK(row.at("skin.gate.friction_force_N_m") == -1);
+  CHECK(row.at("skin.gate.normal_force_y_N_m") == 4);
+  CHECK(row.at("skin.gate.friction_force_x_N_m") == -0.8);
+  CHECK(row.at("skin.gate.friction_work_J") == 7);
+  CHECK(row.at("skin.gate.damping_work_J") == 8);
+  CHECK(row.at("log.floor.normal_force_N_m") == 11);
+  CHECK(row.at("gate.rotation_deg") == doctest::Approx(0.5 * 180 / std::acos(-1.0)));
+  CHECK(row.at("gate.displacement_y_m") == 2);
+  CHECK(row.count("floor.rotation_deg") == 0);
+}
+
 TEST_CASE("energies, mass and momentum") {
   State<2> state = small_state();
   Body<2>& pool = state.bodies[0];

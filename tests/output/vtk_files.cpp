@@ -156,6 +156,34 @@ TEST_CASE("membranes come back as lines with their tension") {
   CHECK(lines->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 2);
 }
 
+TEST_CASE("rigid bodies come back as their outlines with their velocity; what is not there has none") {
+  const TemporaryDirectory directory;
+  State<2> state = small_state();
+  RigidBody<2> disc, slope, gone;
+  disc.from = disc.to = {3, 4};
+  disc.radius = 2;
+  disc.velocity = {0.5, -1};
+  slope.half_plane = true;
+  slope.from = {0, 0};
+  slope.to = {-6, 8};
+  slope.normal = {0.8, 0.6};
+  gone.present = false;
+  state.rigid = {gone, disc, slope};
+  write_rigid(directory / "r.vtp", take_snapshot(state, materials).rigid, 2, Compression::none);
+  const auto lines = read_back<vtkXMLPolyDataReader, vtkPolyData>(directory / "r.vtp");
+  auto* const rigid = lines->GetCellData()->GetArray("rigid");
+  const vtkIdType count = lines->GetNumberOfLines(), points = lines->GetNumberOfPoints();
+  REQUIRE(count > 20);
+  CHECK(points == count + 1);  // a closed line and an open one
+  for (vtkIdType line = 0; line < count; ++line) CHECK(rigid->GetComponent(line, 0) == (line + 1 < count ? 1 : 2));
+  for (vtkIdType k = 0; k + 2 < points; ++k) {
+    const double* const x = lines->GetPoint(k);
+    CHECK(std::hypot(x[0] - 3, x[1] - 4) == doctest::Approx(2).epsilon(1e-6));
+    CHECK(lines->GetPointData()->GetArray("velocity")->GetComponent(k, 1) == -1);
+  }
+  CHECK(lines->GetPoint(points - 1)[0] == -6);
+}
+
 TEST_CASE("the writer thread numbers frames and lists them in the collections") {
   const TemporaryDirectory directory;
   {
@@ -185,6 +213,12 @@ TEST_CASE("a scene without membranes has no membrane files") {
   writer.wait();
   CHECK(std::filesystem::exists(directory / "particles.pvd"));
   CHECK_FALSE(std::filesystem::exists(directory / "membranes.pvd"));
+  CHECK_FALSE(std::filesystem::exists(directory / "rigid.pvd"));
+  state.rigid.resize(1);
+  state.rigid[0].present = false;  // in the collection all the same: it may come later
+  writer.submit(take_snapshot(state, materials));
+  writer.wait();
+  CHECK(read_file(directory / "rigid.pvd").find("rigid_000001.vtp") != std::string::npos);
 }
 
 TEST_CASE("a full disk reaches the step loop as an error") {

@@ -75,6 +75,40 @@ TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to c^2") {
   CHECK(each.dt() == doctest::Approx(0.1 / std::sqrt(2500 + 1e6 / (1600 * 0.2))).epsilon(1e-14));
 }
 
+TEST_CASE("Penalties limit the step to h / (c sqrt(2 stiffness)), their damping to h / (2 c damping)") {
+  Case each;
+  RigidContact<2> contact;
+  contact.touching = "body";
+  contact.bare = true;
+  each.state.rigid_contacts = {contact};
+  const double P = 2.5e6, impedance = 1000 * 50, h = 0.2;
+  const auto dt = [&](double stiffness, double damping) {
+    each.state.rigid_contacts[0].stiffness = stiffness * P / h;
+    each.state.rigid_contacts[0].damping = damping * impedance;
+    return each.dt();
+  };
+  CHECK(dt(1, 1) == doctest::Approx(0.5 * h / 50).epsilon(1e-14));  // Courant's step is as short
+  CHECK(dt(4, 0) == doctest::Approx(h / 50 / std::sqrt(8)).epsilon(1e-14));
+  each.scene.solver.courant = 1;
+  CHECK(dt(1, 0) == doctest::Approx(h / 50 / std::sqrt(2)).epsilon(1e-14));
+  CHECK(dt(0.1, 0.8) == doctest::Approx(h / 50 / 1.6).epsilon(1e-14));
+}
+
+TEST_CASE("The fastest point of a rigid body counts as a particle does, if the body is there") {
+  Case each;
+  RigidBody<2> body;
+  body.from = {0, 0};
+  body.to = {0, 2};
+  body.angle_rate = 5;  // about the origin
+  each.state.rigid = {body};
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 60).epsilon(1e-14));
+  each.state.v_max = 14;
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 64).epsilon(1e-14));
+  each.state.v_max = 4;
+  each.state.rigid[0].present = false;
+  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 54).epsilon(1e-14));
+}
+
 TEST_CASE("A viscous fluid limits the step by h^2 / nu") {
   // Diffusion on a grid is stable up to h^2 / (2 d nu), d = 2; Courant's share of it.
   Case each;

@@ -85,6 +85,17 @@ TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two
     CHECK(std::count(free.begin(), free.end(), name) == 0);
 }
 
+TEST_CASE("Rigid contact: loads for membranes, a stage for bare particles, one for what moves") {
+  CHECK(stages("tests/scenes/ramp.toml") == Names{"sort_particles", "clear_grid", "particles_to_grid", "membrane_loads",
+                                                  "particle_contact", "membranes_to_grid", "momentum",
+                                                  "grid_to_particles", "grid_to_membranes", "move_rigid_bodies"});
+  const Names still = stages("tests/scenes/ramp.toml",
+                             {"rigid.gate.motion={type='none'}", "rigid.ram.motion={type='none'}",
+                              "rigid.wheel.motion={type='none'}", "contacts=[{between=['skin','ramp'],friction=0.3}]"});
+  for (const char* name : {"particle_contact", "move_rigid_bodies"})
+    CHECK(std::count(still.begin(), still.end(), name) == 0);
+}
+
 TEST_CASE("Grid arrays of features that a case does not use have length zero") {
   const Grid<2> column = make_grid<2>(read_scene(source_path("cases/gravity_column.toml")));
   CHECK(column.cell_volume.empty());

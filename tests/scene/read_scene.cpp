@@ -104,8 +104,13 @@ TEST_CASE("bodies as written") {
 
 TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
   const Scene scene = without_places(read_scene(every_key));
-  CHECK(scene.rigid == std::vector<RigidSpec>{{"ground", {{0, 0.5}, {0, 2}}, {}}});
-  CHECK(scene.contacts == std::vector<ContactSpec>{{"geotextile", "ground", 0.3, 0.5, {}}});
+  const CapsuleShape wall{{9, 9}, {9.5, 9.5}, 0.05}, disc{{9, 9}, {9, 9}, 0.05};
+  CHECK(scene.rigid == std::vector<RigidSpec>{{"ground", HalfPlaneShape{{0, 0.5}, {0, 2}}, {}, {}},
+                                              {"wall", wall, HingeMotionSpec{{9, 9.5}, 0.1, 40}, {}},
+                                              {"ram", disc, TranslationMotionSpec{{0, -1}}, {}},
+                                              {"wheel", disc, TableMotionSpec{{0, 1}, {9, 9}, {0, 90}, {}}, {}},
+                                              {"lift", disc, TableMotionSpec{{0, 1}, {}, {}, {{0, 0}, {0, 1}}}, {}}});
+  CHECK(scene.contacts == std::vector<ContactSpec>{{{"geotextile", "ground"}, 0.3, 0.5, 0.25, {}}});
   CHECK(scene.still_fluids == std::vector<StillFluidSpec>{{"geotextile", "water", 7, {}}});
   CHECK(scene.pumps == std::vector<PumpSpec>{{"sea", 0.1, 0.5, 1.5, {}}});
 }

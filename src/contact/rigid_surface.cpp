@@ -1,0 +1,190 @@
+#include "rigid_surface.hpp"
+
+#include <Eigen/Geometry>
+#include <geodrop/find_named.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace geodrop {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+
+Vec<2> as_vector(const std::array<double, 2>& v) { return Vec<2>(v.data()); }
+Vec<2> as_vector(const Point& v) { return Vec<2>(v.data()); }
+std::array<double, 2> as_array(const Vec<2>& v) { return {v[0], v[1]}; }
+
+Vec<2> turned_left(const Vec<2>& v) { return {-v[1], v[0]}; }
+
+/// Where a point of the body is that was at x at the start.
+Vec<2> moved(const RigidBody<2>& body, const Vec<2>& x) {
+  const Vec<2> centre = as_vector(body.centre);
+  return centre + Eigen::Rotation2Dd(body.angle) * (x - centre) + as_vector(body.displacement);
+}
+
+/// Piecewise linear; the first or last value outside of the times.
+template <class Value>
+Value at_time(double t, const std::vector<double>& times, const std::vector<Value>& values, auto&& mix) {
+  const auto above = std::upper_bound(times.begin(), times.end(), t) - times.begin();
+  if (above == 0) return values.front();
+  if (above == static_cast<std::ptrdiff_t>(times.size())) return values.back();
+  const double share = (t - times[above - 1]) / (times[above] - times[above - 1]);
+  return mix(values[above - 1], values[above], share);
+}
+
+/// Sets angle and displacement from the time for which the body has moved.
+struct Pose {
+  RigidBody<2>& body;
+
+  void operator()(std::monostate) const {}
+  void operator()(const HingeMotionSpec& hinge) const {
+    const double most = hinge.stop_angle_deg * radians;
+    body.angle = std::clamp(hinge.rate * body.moved, -most, most);
+  }
+  void operator()(const TranslationMotionSpec& translation) const {
+    body.displacement = as_array(body.moved * as_vector(translation.velocity));
+  }
+  void operator()(const TableMotionSpec& table) const {
+    if (!table.angles_deg.empty())
+      body.angle = radians * at_time(body.moved, table.times, table.angles_deg,
+                                     [](double a, double b, double s) { return a + s * (b - a); });
+    else
+      body.displacement = as_array(
+          as_vector(at_time(body.moved, table.times, table.displacements, [](Point a, const Point& b, double s) {
+            for (std::size_t k = 0; k < a.size(); ++k) a[k] += s * (b[k] - a[k]);
+            return a;
+          })));
+  }
+};
+
+Point centre_of(const RigidMotion& motion) {
+  if (const auto* hinge = std::get_if<HingeMotionSpec>(&motion)) return hinge->centre;
+  if (const auto* table = std::get_if<TableMotionSpec>(&motion))
+    if (!table->angles_deg.empty()) return table->centre;
+  return {0, 0};
+}
+
+double distance_to_segment(const Vec<2>& x, const Vec<2>& from, const Vec<2>& to) {
+  const Vec<2> d = to - from;
+  const double length2 = d.squaredNorm();
+  const double share = length2 > 0 ? std::clamp(d.dot(x - from) / length2, 0.0, 1.0) : 0.0;
+  return (x - from - share * d).norm();
+}
+
+/// From where to where a line is in the domain, as distances from a point of it; 0 and 0 if it is nowhere.
+std::pair<double, double> stretch_in_domain(const Vec<2>& point, const Vec<2>& direction, const GridSpec& domain) {
+  double first = -std::numeric_limits<double>::infinity(), last = -first;
+  for (int a = 0; a < 2; ++a) {
+    const double lower = domain.lower[a] - point[a], upper = domain.upper[a] - point[a];
+    if (direction[a] == 0 && lower * upper > 0) return {0, 0};
+    if (direction[a] == 0) continue;
+    first = std::max(first, std::min(lower / direction[a], upper / direction[a]));
+    last = std::min(last, std::max(lower / direction[a], upper / direction[a]));
+  }
+  return first < last ? std::pair{first, last} : std::pair{0.0, 0.0};
+}
+
+}  // namespace
+
+RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
+  RigidBody<2> body;
+  body.name = spec.name;
+  body.centre = as_array(as_vector(centre_of(spec.motion)));
+  if (const auto* half = std::get_if<HalfPlaneShape>(&spec.shape)) {
+    body.half_plane = true;
+    const Vec<2> normal = as_vector(half->normal).normalized(), point = as_vector(half->point);
+    const auto [first, last] = stretch_in_domain(point, turned_left(normal), domain);
+    body.normal = as_array(normal);
+    body.from = as_array(point + first * turned_left(normal));
+    body.to = as_array(point + last * turned_left(normal));
+  } else {
+    const auto& capsule = std::get<CapsuleShape>(spec.shape);
+    body.from = as_array(as_vector(capsule.from));
+    body.to = as_array(as_vector(capsule.to));
+    body.radius = capsule.radius;
+  }
+  return body;
+}
+
+template <>
+void move_rigid_bodies(const Scene& scene, double dt, State<2>& state) {
+  for (RigidBody<2>& body : state.rigid) {
+    const double angle = body.angle;
+    const Vec<2> displacement = as_vector(body.displacement);
+    if (body.moving) {
+      body.moved += dt;
+      std::visit(Pose{body}, find_named(scene.rigid, body.name).motion);
+    }
+    body.angle_rate = (body.angle - angle) / dt;
+    body.velocity = as_array((as_vector(body.displacement) - displacement) / dt);
+  }
+}
+
+// Rigid bodies are for the plane.
+template <>
+void move_rigid_bodies(const Scene&, double, State<3>&) {}
+
+RigidSurface::RigidSurface(const RigidBody<2>& body)
+    : half_plane_(body.half_plane),
+      radius_(body.radius),
+      from_(moved(body, as_vector(body.from))),
+      to_(moved(body, as_vector(body.to))),
+      length_((to_ - from_).norm()),
+      centre_(as_vector(body.centre) + as_vector(body.displacement)),
+      drift_(as_vector(body.velocity)),
+      spin_(body.angle_rate) {
+  if (half_plane_)
+    normal_ = Eigen::Rotation2Dd(body.angle) * as_vector(body.normal);
+  else
+    normal_ = length_ > 0 ? Vec<2>(turned_left(to_ - from_) / length_) : Vec<2>::Zero();
+}
+
+std::optional<RigidSurface::Gap> RigidSurface::gap(const Vec<2>& x, std::int8_t side) const {
+  const Vec<2> off = x - from_;
+  if (half_plane_) return Gap{normal_.dot(off), normal_, side};
+  const double along = length_ > 0 ? (to_ - from_).dot(off) / length_ : 0.0;
+  if (along > 0 && along < length_) {
+    const double height = normal_.dot(off);
+    const std::int8_t now = side != 0 ? side : static_cast<std::int8_t>(height < 0 ? -1 : 1);
+    const double size = now * height - radius_;
+    if (size < -2 * radius_) return std::nullopt;
+    return Gap{size, now * normal_, now};
+  }
+  const Vec<2> radial = along > 0 ? Vec<2>(x - to_) : off;
+  const double distance = radial.norm();
+  if (distance == 0) return std::nullopt;
+  return Gap{distance - radius_, radial / distance, side};
+}
+
+Vec<2> RigidSurface::velocity(const Vec<2>& x) const { return drift_ + spin_ * turned_left(x - centre_); }
+
+double RigidSurface::speed() const {
+  const double ends = std::max(velocity(from_).norm(), velocity(to_).norm());
+  return ends + std::abs(spin_) * radius_;
+}
+
+bool RigidSurface::may_touch(const Vec<2>& lower, const Vec<2>& upper, double reach) const {
+  const Vec<2> middle = (lower + upper) / 2, half = (upper - lower) / 2;
+  if (half_plane_) return normal_.dot(middle - from_) - normal_.cwiseAbs().dot(half) < reach;
+  return distance_to_segment(middle, from_, to_) - half.norm() < radius_ + reach;
+}
+
+std::vector<Vec<2>> outline(const RigidBody<2>& body) {
+  const Vec<2> from = moved(body, as_vector(body.from)), to = moved(body, as_vector(body.to));
+  if (body.half_plane) return {from, to};
+  constexpr int chords = 16;  // of each rounded end
+  const double towards = to == from ? 0.0 : std::atan2(to[1] - from[1], to[0] - from[0]);
+  std::vector<Vec<2>> points;
+  for (int k = 0; k <= 2 * chords + 1; ++k) {
+    const int step = k <= chords ? k : k - 1;  // the point between the ends is on both
+    const double turn = towards - std::numbers::pi / 2 + std::numbers::pi * step / chords;
+    points.push_back((k <= chords ? to : from) + body.radius * Vec<2>(std::cos(turn), std::sin(turn)));
+  }
+  return points;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,53 @@
+// Where the surface of a rigid body is and how it moves (2D): gaps to points, velocities.
+//
+//   capsule        beside its segment: g = s n_left . (x - a) - r on the side s on which the point came, down to -2 r;
+//                  beyond its ends:    g = |x - end| - r
+//   half-plane     g = n . (x - a)
+#pragma once
+
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
+
+#include <optional>
+
+namespace geodrop {
+
+/// A rigid body as it stands at the start of the scene; of a half-plane's boundary the part in the domain is kept.
+RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain);
+
+/// Moves the bodies whose motion goes on by one step; their rates are means over it, zero for those at rest.
+template <int Dim>
+void move_rigid_bodies(const Scene& scene, double dt, State<Dim>& state);
+
+/// The surface in its present pose.
+class RigidSurface {
+ public:
+  explicit RigidSurface(const RigidBody<2>& body);
+
+  struct Gap {
+    double size;       ///< negative inside [m]
+    Vec<2> normal;     ///< unit, out of the rigid body
+    std::int8_t side;  ///< as RigidContact::side
+  };
+  /// `side`: that of the point so far. Nothing if the point has passed through.
+  std::optional<Gap> gap(const Vec<2>& x, std::int8_t side) const;
+  /// Of the surface's material at x [m/s].
+  Vec<2> velocity(const Vec<2>& x) const;
+  /// Largest speed of its points, of a half-plane's boundary within the domain at the start [m/s].
+  double speed() const;
+  /// False only if no point of a box is closer than `reach` [m].
+  bool may_touch(const Vec<2>& lower, const Vec<2>& upper, double reach) const;
+
+ private:
+  bool half_plane_;
+  double radius_;
+  Vec<2> from_, to_, normal_;  ///< of a capsule: unit, left of its segment
+  double length_;
+  Vec<2> centre_, drift_;
+  double spin_;
+};
+
+/// The outline of a capsule, a closed line of chords; of a half-plane the ends of its boundary [m].
+std::vector<Vec<2>> outline(const RigidBody<2>& body);
+
+}  // namespace geodrop
