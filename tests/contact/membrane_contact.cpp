@@ -169,6 +169,13 @@ TEST_CASE("No force with a gap, nor beyond the reach, nor on what waits to be pl
   step(beyond);
   CHECK(load_size(inside) > 0);
   CHECK(load_size(beyond) == 0);
+  Points ground = line({0, 0}, {10, 0}, coarse), sheet = line({3, -1.1 * reach}, {7, -1.1 * reach}, fine);
+  ground.push_back({10, -1});  // also where their boxes overlap
+  sheet.push_back({12, -1});
+  sheet.push_back({12, 1});
+  beyond = touching(membrane_through("ground", ground, false), membrane_through("sheet", sheet, false), {-1, 1}, 0);
+  step(beyond);
+  CHECK(load_size(beyond) == 0);
   State<2> waits = flat(0.3);
   waits.membranes[1].field = waiting;
   step(waits);
@@ -244,20 +251,23 @@ TEST_CASE("Friction sticks as a spring, slips at mu times the normal force, and 
 }
 
 TEST_CASE("Springs of nodes that let go are slack") {
-  State<2> state = flat(0.5);
-  set_velocity(state.membranes[1], 0.02, 0);
-  step(state);
-  CHECK(resultant(state.membranes[1])[0] < 0);
-  state.membranes[1].x[1].assign(state.membranes[1].nodes(), 1e-4);
-  step(state);
-  CHECK(load_size(state) == 0);
-  for (const auto& slip : state.membrane_contacts[0].slip)
-    for (const double xi : slip) CHECK(xi == 0);
-  state.membranes[1].x[1].assign(state.membranes[1].nodes(), -depth);
-  set_velocity(state.membranes[1], 0, 0);
-  step(state);
-  CHECK(load_size(state) > 0);
-  CHECK(resultant(state.membranes[1])[0] == 0);
+  for (const double height : {1e-4, 5.0}) {  // nearby and far away
+    CAPTURE(height);
+    State<2> state = flat(0.5);
+    set_velocity(state.membranes[1], 0.02, 0);
+    step(state);
+    CHECK(resultant(state.membranes[1])[0] < 0);
+    state.membranes[1].x[1].assign(state.membranes[1].nodes(), height);
+    step(state);
+    CHECK(load_size(state) == 0);
+    for (const auto& slip : state.membrane_contacts[0].slip)
+      for (const double xi : slip) CHECK(xi == 0);
+    state.membranes[1].x[1].assign(state.membranes[1].nodes(), -depth);
+    set_velocity(state.membranes[1], 0, 0);
+    step(state);
+    CHECK(load_size(state) > 0);
+    CHECK(resultant(state.membranes[1])[0] == 0);
+  }
 }
 
 TEST_CASE("A body inside another does not touch it: their normals agree") {
