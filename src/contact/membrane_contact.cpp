@@ -108,27 +108,43 @@ struct Foot {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Own folds press only into this share of the reach: deeper is the other flank of a thin bag, seen from inside.
+/// Own folds of an open membrane press only into this share of the reach: deeper is the other flank of a thin bag, seen
+/// from inside.
 constexpr double deepest_fold = 0.25;
+
+/// Whether a node at `x`, behind its foot on the same membrane, sees the other flank of a thin bag from inside.
+/// Of a closed one, what lies between them is then inside once; where folds have pressed into each other, it is inside
+/// twice.
+bool meets_from_inside(const Membrane<2>& membrane, const Vec<2>& x, const Vec<2>& foot, double deepest) {
+  if (!membrane.closed) return (x - foot).norm() > deepest;
+  return std::abs(winding_number(membrane.x[0], membrane.x[1], 0.5 * (x + foot))) < 2;
+}
+
+/// Whether a place on a segment, as a share of it, lies beyond an end of an open membrane, where nothing is.
+bool beyond_end(const Membrane<2>& membrane, std::size_t s, double share) {
+  constexpr double rounding = 1e-6;  // of a segment; skins may end together at a wall
+  if (membrane.closed) return false;
+  return (s == 0 && share < -rounding) || (s + 1 == membrane.segments() && share > 1 + rounding);
+}
 
 /// The nearest segment within reach that faces the node.
 Foot nearest_foot(const Pass& pass, const SegmentBins& bins, std::size_t k, const Vec<2>& normal, double reach) {
   const Vec<2> x = vector_at(pass.slave.x, k);
   Foot best;
   best.distance = reach;
-  bool found = false;
+  bool touches = false;
   bins.for_each_near(x, [&](std::size_t s) {
     if (normal.dot(segment_normal(pass.master, s, pass.master_outward)) >= 0) return;
     const Vec<2> a = vector_at(pass.master.x, s);
     const Vec<2> d = vector_at(pass.master.x, end_of_edge(s, pass.master.nodes())) - a;
-    const double share = std::clamp(d.dot(x - a) / d.squaredNorm(), 0.0, 1.0);
+    const double along = d.dot(x - a) / d.squaredNorm(), share = std::clamp(along, 0.0, 1.0);
     const Vec<2> point = a + share * d;
     const double distance = (x - point).norm();
-    if (distance > best.distance || (found && distance == best.distance)) return;
+    if (distance > best.distance || (touches && distance == best.distance)) return;
     best = {s, share, point, distance};
-    found = true;
+    touches = !beyond_end(pass.master, s, along);
   });
-  if (!found) best.distance = std::numeric_limits<double>::infinity();
+  if (!touches) best.distance = std::numeric_limits<double>::infinity();
   return best;
 }
 
@@ -141,7 +157,8 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
                  const Vec<2>& normal, double& pressed) {
   const std::size_t end = end_of_edge(foot.segment, pass.master.nodes());
   const double gap = normal.dot(vector_at(pass.slave.x, k) - foot.point);
-  if (gap >= 0 || (pass.folds && gap < -deepest_fold * contact.reach)) {
+  if (gap >= 0 || (pass.folds && meets_from_inside(pass.slave, vector_at(pass.slave.x, k), foot.point,
+                                                   deepest_fold * contact.reach))) {
     pass.slip[k] = 0;
     return Vec<2>::Zero();
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geodrop/state.hpp>
+#include <geodrop/types.hpp>
 
 namespace geodrop {
 
@@ -16,6 +17,20 @@ inline double signed_area(const Array<double>& x, const Array<double>& y) {
     twice += x[k] * y[end] - x[end] * y[k];
   }
   return twice / 2;
+}
+
+/// How often the polygon runs round a point, anticlockwise counted positive.
+inline int winding_number(const Array<double>& x, const Array<double>& y, const Vec<2>& point) {
+  int count = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const std::size_t end = end_of_edge(k, x.size());
+    const bool from_above = y[k] > point[1], to_above = y[end] > point[1];
+    if (from_above == to_above) continue;
+    const double left = (x[end] - x[k]) * (point[1] - y[k]) - (point[0] - x[k]) * (y[end] - y[k]);
+    if (to_above && left > 0) ++count;
+    if (from_above && left < 0) --count;
+  }
+  return count;
 }
 
 }  // namespace geodrop
