@@ -350,8 +350,23 @@ struct HydrostaticProbeSpec {
   HydrostaticSpec still;
   bool operator==(const HydrostaticProbeSpec&) const = default;
 };
+/// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
+/// tension_max_N_m.
+struct SpanProbeSpec {
+  std::string name;
+  std::string membrane;
+  Point from, to;  ///< on the membrane as drawn [m]
+  bool operator==(const SpanProbeSpec&) const = default;
+};
+/// Spread of the total vertical stress over the particles of a body; columns vertical_stress_p01_Pa (1 %), _p50_Pa,
+/// _p99_Pa.
+struct StressProbeSpec {
+  std::string name;
+  std::string body;
+  bool operator==(const StressProbeSpec&) const = default;
+};
 /// Forces over a section x = position through a body and its membrane, consistent with the grid (2D): columns
-/// soil_force_N_m (compression positive), membrane_force_N_m (tension positive).
+/// soil_force_N_m (compression positive), membrane_force_N_m (tension positive), net_force_N_m, their difference.
 struct SectionProbeSpec {
   std::string name;
   std::string body;
@@ -373,7 +388,9 @@ struct GeotubeProbeSpec {
   bool operator==(const GeotubeProbeSpec&) const = default;
 };
 struct ProbeSpec {
-  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec> probe;
+  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
+               StressProbeSpec>
+      probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
 };

@@ -127,6 +127,7 @@ struct MembraneContact {
   std::array<double, 2> outward;       ///< 1: the body is on the left of its membrane, -1: on its right
   double friction = 0;                 ///< mu [-]
   double stiffness = 0;                ///< penalty: pressure per penetration [Pa/m]
+  double damping = 0;                  ///< of the penalty: pressure per normal velocity [Pa s/m]
   double reach = 0;                    ///< farthest distance at which nodes look for segments [m]
   std::array<Array<double>, 2> slip;   ///< stretch of the tangential springs of the nodes of both [m]
   std::array<double, 2> force{};       ///< on the first membrane, in the last step [N]

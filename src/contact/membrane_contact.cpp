@@ -162,10 +162,11 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
     pass.slip[k] = 0;
     return Vec<2>::Zero();
   }
-  const double spring = 0.5 * contact.stiffness * node_length(pass.slave, k), push = -spring * gap;
   const Vec<2> along(-normal[1], normal[0]);
   const Vec<2> v = vector_at(pass.slave.v, k) - (1 - foot.share) * vector_at(pass.master.v, foot.segment) -
                    foot.share * vector_at(pass.master.v, end);
+  const double length = 0.5 * node_length(pass.slave, k), spring = contact.stiffness * length;
+  const double push = std::max(0.0, -spring * gap - contact.damping * length * normal.dot(v));
   double& slip = pass.slip[k];
   slip += dt * along.dot(v);
   const double most = contact.friction * push / spring;
@@ -226,9 +227,8 @@ double side_of_body(const State<2>& state, const Membrane<2>& membrane) {
   return left > 0 ? 1 : -1;
 }
 
-double wave_modulus(const State<2>& state, const Membrane<2>& membrane) {
-  const Material& behind = find_named(state.bodies, membrane.body).material;
-  return reference_density(behind) * std::pow(wave_speed(behind), 2);
+const Material& material_behind(const State<2>& state, const Membrane<2>& membrane) {
+  return find_named(state.bodies, membrane.body).material;
 }
 
 }  // namespace
@@ -238,14 +238,18 @@ MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spe
   contact.between = spec.between;
   contact.friction = spec.friction;
   contact.reach = finest_spacing(scene.grid);
-  double modulus = std::numeric_limits<double>::infinity();
+  double modulus = std::numeric_limits<double>::infinity(), impedance = modulus;
   for (int side = 0; side < 2; ++side) {
     const Membrane<2>& membrane = find_named(state.membranes, spec.between[side]);
-    modulus = std::min(modulus, wave_modulus(state, membrane));
+    const Material& behind = material_behind(state, membrane);
+    const double rho_c = reference_density(behind) * wave_speed(behind);
+    modulus = std::min(modulus, rho_c * wave_speed(behind));
+    impedance = std::min(impedance, rho_c);
     contact.outward[side] = side_of_body(state, membrane);
     contact.slip[side].assign(membrane.nodes(), 0.0);
   }
   contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
+  contact.damping = spec.damping * impedance;
   return contact;
 }
 

@@ -4,7 +4,7 @@
 // count half. With l the length of membrane that belongs to the node, n the outward normal of the other surface between
 // its nodes a and b at the foot of the node, g = n . (x - x_foot) the gap and v_t the relative velocity along it:
 //
-//   f_n = 1/2 k l max(0, -g),   xi += dt v_t,   f_t = -1/2 k l xi, cut to |f_t| <= mu f_n
+//   f_n = 1/2 l max(0, -k g - z v_n) where g < 0 only,   xi += dt v_t,   f_t = -1/2 k l xi, cut to |f_t| <= mu f_n
 //
 // The reaction goes to a and b by the lever rule: momentum is kept to round-off, angular momentum but for g. Surfaces
 // touch only if their normals oppose each other: a thin bag does not meet its own other flank from inside.
@@ -15,7 +15,7 @@
 
 namespace geodrop {
 
-/// Contact between two membranes of the state, its springs slack. Stiffness times P / h, P the wave modulus of the
+/// Contact between two membranes of the state, its springs slack. Stiffness times P / h, damping times rho c, of the
 /// softer body behind.
 MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state);
 

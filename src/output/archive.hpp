@@ -67,8 +67,8 @@ auto members(Part& part) {
     return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force,
                     friction_force, normal_sum, friction_sum, friction_work, damping_work);
   } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
-    auto& [between, outward, friction, stiffness, reach, slip, force, normal_force] = part;
-    return std::tie(between, outward, friction, stiffness, reach, slip, force, normal_force);
+    auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
+    return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);
   } else if constexpr (std::is_same_v<Plain, Relaxation>) {
     auto& [kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio, out_of_balance_ratio,
            steps, cycles, cycles_at_rest] = part;

@@ -10,6 +10,7 @@
 
 #include "geotube_probe.hpp"
 #include "section_probe.hpp"
+#include "span_probe.hpp"
 #include "text.hpp"
 
 namespace geodrop {
@@ -165,6 +166,14 @@ PressureError measure(const HydrostaticProbeSpec& probe, const Scene& scene, con
                         -scene.gravity[vertical_axis<Dim>]);
 }
 
+template <int Dim>
+void list_stress_spread(Row& row, const std::string& name, const Body<Dim>* body) {
+  std::vector<double> stress;
+  for (std::size_t p = 0; body && p < body->size(); ++p) stress.push_back(total_stress(*body, p)[vertical_axis<Dim>]);
+  for (const auto& [column, percent] : {std::pair{"p01", 1.0}, std::pair{"p50", 50.0}, std::pair{"p99", 99.0}})
+    row.add(name + ".vertical_stress_" + column + "_Pa", body ? percentile(stress, percent) : 0.0);
+}
+
 void list_plane_probe(Row& row, const Scene& scene, const ProbeSpec& spec, const State<2>* state) {
   if (const auto* tube = std::get_if<GeotubeProbeSpec>(&spec.probe))
     for (const auto& [name, value] : geotube_columns(scene, *tube, state)) row.add(tube->name + "." + name, value);
@@ -172,6 +181,12 @@ void list_plane_probe(Row& row, const Scene& scene, const ProbeSpec& spec, const
     const SectionForces forces = state ? section_forces(scene, *section, *state) : SectionForces{};
     row.add(section->name + ".soil_force_N_m", forces.soil);
     row.add(section->name + ".membrane_force_N_m", forces.membrane);
+    row.add(section->name + ".net_force_N_m", forces.soil - forces.membrane);
+  }
+  if (const auto* span = std::get_if<SpanProbeSpec>(&spec.probe)) {
+    const SpanTension tension = state ? span_tension(scene, *span, *state) : SpanTension{};
+    row.add(span->name + ".tension_mean_N_m", tension.mean);
+    row.add(span->name + ".tension_max_N_m", tension.max);
   }
 }
 
@@ -205,6 +220,8 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
       list_tracer(row, tracer->name, state ? find_named(state->tracers, tracer->name) : Tracer<Dim>{});
     if (const auto* probe = std::get_if<HydrostaticProbeSpec>(&spec.probe))
       list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
+    if (const auto* probe = std::get_if<StressProbeSpec>(&spec.probe))
+      list_stress_spread<Dim>(row, probe->name, state ? &find_named(state->bodies, probe->body) : nullptr);
     if constexpr (Dim == 2) list_plane_probe(row, scene, spec, state);
     if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
       list_exact_error(row, probe->name, *find_exact(scene, probe->body),

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/error.hpp>
+#include <geodrop/find_named.hpp>
 #include <geodrop/pipeline.hpp>
 #include <limits>
 #include <sstream>
@@ -52,6 +53,13 @@ double contact_dt(const State<Dim>& state, double h) {
   double dt = std::numeric_limits<double>::infinity();
   for (const RigidContact<Dim>& contact : state.rigid_contacts) {
     const double mass = reference_density(touching_body(state, contact).material) * h;
+    dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
+  }
+  for (const MembraneContact& contact : state.membrane_contacts) {
+    double of_both = 0;  // 1 / m + 1 / m, as two bodies on one spring have it
+    for (const std::string& name : contact.between)
+      of_both += 1 / (density_beside(state, find_named(state.membranes, name)) * h);
+    const double mass = 1 / of_both;
     dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
   }
   return dt;

@@ -89,6 +89,14 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
     if (!tube->water.empty()) check_fluid(scene, key + ".water", tube->water, report);
     return;
   }
+  if (const auto* span = std::get_if<SpanProbeSpec>(&probe.probe)) {
+    check_reference(key + ".membrane", span->membrane, names_of(scene.membranes), "membranes", report);
+    return;
+  }
+  if (const auto* stress = std::get_if<StressProbeSpec>(&probe.probe)) {
+    check_reference(key + ".body", stress->body, names_of(scene.bodies), "bodies", report);
+    return;
+  }
   if (const auto* section = std::get_if<SectionProbeSpec>(&probe.probe)) {
     check_reference(key + ".body", section->body, names_of(scene.bodies), "bodies", report);
     if (report.healthy("dimension") && scene.dimension != 2)

@@ -18,6 +18,7 @@
 #include "../pipeline/scene_stages.hpp"
 #include "fill_particles.hpp"
 #include "initial_stress.hpp"
+#include "membrane_nodes.hpp"
 
 namespace geodrop {
 namespace {
@@ -111,23 +112,6 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   return body;
 }
 
-/// Points along an open polyline, corners kept, each leg divided evenly into steps of about `spacing`.
-std::vector<Point> divide_polyline(const std::vector<Point>& corners, double spacing) {
-  std::vector<Point> out{corners.front()};
-  for (std::size_t c = 1; c < corners.size(); ++c) {
-    const Point &from = corners[c - 1], &to = corners[c];
-    double length2 = 0;
-    for (std::size_t a = 0; a < from.size(); ++a) length2 += std::pow(to[a] - from[a], 2);
-    const int steps = std::max(1, static_cast<int>(std::lround(std::sqrt(length2) / spacing)));
-    for (int k = 1; k <= steps; ++k) {
-      Point x = from;
-      for (std::size_t a = 0; a < x.size(); ++a) x[a] += (to[a] - from[a]) * k / steps;
-      out.push_back(x);
-    }
-  }
-  return out;
-}
-
 template <int Dim>
 double distance(const Membrane<Dim>& membrane, std::size_t a, std::size_t b) {
   double sum = 0;
@@ -146,10 +130,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.strength = spec.strength;
   membrane.averaging_segments = spec.averaging_segments;
   membrane.half_size = 0.5 / spec.segments_per_cell;
-  const double spacing = finest_spacing(scene.grid) / spec.segments_per_cell;
-  const Shape drawn = spec.points.empty() ? find_body(scene, spec.body)->shape : Shape{PolygonShape{spec.points}};
-  const std::vector<Point> nodes =
-      spec.points.empty() || spec.closed ? outline(drawn, spacing) : divide_polyline(spec.points, spacing);
+  const std::vector<Point> nodes = membrane_nodes(scene, spec);
   const std::size_t n = nodes.size();
   for (int a = 0; a < Dim; ++a) {
     membrane.v[a].assign(n, 0.0);
