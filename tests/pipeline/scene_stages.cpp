@@ -38,8 +38,8 @@ TEST_CASE("A rigid body moves only in stages that name it, for as long as they l
 }
 
 TEST_CASE("A rigid body that a stage removes is there up to then") {
-  CHECK(find_named(state_at(0.09).rigid, "wheel").present);
-  const State<2> after = state_at(0.15);
+  const State<2> before = state_at(0.09), after = state_at(0.15);
+  CHECK(find_named(before.rigid, "wheel").present);
   CHECK_FALSE(find_named(after.rigid, "wheel").present);
   CHECK(find_named(after.rigid, "gate").present);
 }
