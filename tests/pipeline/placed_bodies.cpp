@@ -199,9 +199,10 @@ TEST_CASE("A pump waits for the body that it pumps into") {
 TEST_CASE("What stages remember is part of the checkpoint") {
   State<2> state = build_state<2>(block_on_slab({"stages=[{name='a',from=0.0},{name='b',from=1.0,places=['block']}]"}));
   const std::string hash = state_hash(state);
-  state.stages_entered = 1;
+  REQUIRE(state.stages_entered == 1);
+  state.stages_entered = 2;
   CHECK(state_hash(state) != hash);
-  state.stages_entered = 0;
+  state.stages_entered = 1;
   state.bodies[block].field = 1;
   CHECK(state_hash(state) != hash);
 }
