@@ -42,7 +42,8 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
 template <int Dim>
 void advance(const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids);
 
-/// Whether a run has nothing more to do: its time is over, or it has come to rest and no pump is still to run.
+/// Whether a run has nothing more to do: its time is over, or it has come to rest and neither a pump nor a stage is
+/// still to come.
 template <int Dim>
 bool is_over(const Scene& scene, const State<Dim>& state);
 

@@ -168,6 +168,7 @@ struct Tracer {
   std::string name;
   std::array<double, Dim> x, v, initial_x;
   int field = 0;
+  std::string body{};  ///< that it moves with
 };
 
 template <int Dim>

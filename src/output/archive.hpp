@@ -80,8 +80,8 @@ auto members(Part& part) {
     return std::tie(name, field, normal, length, half_size, inwards, impedance_p, impedance_s, spring, x, v, moved,
                     at_start);
   } else if constexpr (is_tracer<Plain>) {
-    auto& [name, x, v, initial_x, field] = part;
-    return std::tie(name, x, v, initial_x, field);
+    auto& [name, x, v, initial_x, field, body] = part;
+    return std::tie(name, x, v, initial_x, field, body);
   } else {
     auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
            membrane_contacts, viscous_boundaries, tracers, relaxation] = part;

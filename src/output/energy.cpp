@@ -114,8 +114,9 @@ double kinetic_energy(const State<Dim>& state) {
   };
   double twice = 0;
   for (const Body<Dim>& body : state.bodies)
-    twice += fixed_order_sum<double>(body.size(),
-                                     [&](double& sum, std::size_t p) { sum += body.mass[p] * square(body.v, p); });
+    if (body.field != waiting)
+      twice += fixed_order_sum<double>(body.size(),
+                                       [&](double& sum, std::size_t p) { sum += body.mass[p] * square(body.v, p); });
   for (const Membrane<Dim>& membrane : state.membranes)
     for (std::size_t k = 0; k < membrane.nodes(); ++k) twice += membrane.mass[k] * square(membrane.v, k);
   return twice / 2;

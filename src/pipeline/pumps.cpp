@@ -11,7 +11,7 @@ void pump_fluid(const std::vector<PumpSpec>& pumps, const Point& g, const StepCo
     const double time = std::min(step.t + step.dt, pump.to) - std::max(step.t, pump.from);
     if (time <= 0) continue;
     for (Body<Dim>& body : state.bodies) {
-      if (body.name != pump.body) continue;
+      if (body.name != pump.body || body.field == waiting) continue;
       const double mass = std::accumulate(body.mass.begin(), body.mass.end(), 0.0);
       const double growth = 1 + pump.rate * time * reference_density(body.material) / mass;
       for (int a = 0; a < Dim; ++a)

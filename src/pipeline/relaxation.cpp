@@ -45,6 +45,7 @@ void stop_all(State<Dim>& state) {
     for (auto& component : rates) std::fill(component.begin(), component.end(), 0.0);
   };
   for (Body<Dim>& body : state.bodies) {
+    if (body.field == waiting) continue;
     stop(body.v);
     stop(body.affine);
   }
@@ -88,7 +89,8 @@ template <int Dim>
 bool is_over(const Scene& scene, const State<Dim>& state) {
   const bool pumping =
       std::any_of(scene.pumps.begin(), scene.pumps.end(), [&](const PumpSpec& pump) { return state.t < pump.to; });
-  return state.t >= scene.time.end || (state.relaxation.cycles_at_rest >= cycles_to_rest && !pumping);
+  const bool staged = state.stages_entered < scene.stages.size();
+  return state.t >= scene.time.end || (state.relaxation.cycles_at_rest >= cycles_to_rest && !pumping && !staged);
 }
 
 #define GEODROP_INSTANTIATE(D)                                                        \

@@ -1,5 +1,6 @@
 #include "scene_stages.hpp"
 
+#include <geodrop/measure.hpp>
 #include <geodrop/velocity_fields.hpp>
 
 #include <algorithm>
@@ -17,17 +18,27 @@ void set_field(const std::string& name, int field, State<Dim>& state) {
     if (body.name == name) body.field = field;
   for (Membrane<Dim>& membrane : state.membranes)
     if (membrane.body == name) membrane.field = field;
+  for (Tracer<Dim>& tracer : state.tracers)
+    if (tracer.body == name) tracer.field = field;
 }
 
 template <int Dim>
-void enter(const StageSpec& stage, const std::vector<int>& fields, State<Dim>& state) {
+void place(const StageSpec& stage, const SceneStages& scene, State<Dim>& state) {
+  if (stage.places.empty()) return;
+  const double before = measure(state, scene.gravity).potential;
   for (std::size_t b = 0; b < state.bodies.size(); ++b)
-    if (is_listed(stage.places, state.bodies[b].name)) set_field(state.bodies[b].name, fields[b], state);
+    if (is_listed(stage.places, state.bodies[b].name)) set_field(state.bodies[b].name, scene.fields[b], state);
+  state.relaxation.initial_potential += measure(state, scene.gravity).potential - before;
+  state.drift = -1;  // sort, and with it renew the active blocks
+}
+
+template <int Dim>
+void enter(const StageSpec& stage, const SceneStages& scene, State<Dim>& state) {
+  place(stage, scene, state);
   for (RigidBody<Dim>& rigid : state.rigid) {
     rigid.moving = is_listed(stage.moves, rigid.name);
     if (is_listed(stage.removes, rigid.name)) rigid.present = false;
   }
-  if (!stage.places.empty()) state.drift = -1;  // sort, and with it renew the active blocks
 }
 
 /// Rises in proportion to time over the ramp.
@@ -38,13 +49,14 @@ double damping_at(const StageSpec& stage, double t) {
 
 }  // namespace
 
-SceneStages::SceneStages(const Scene& scene) : stages(scene.stages), fields(velocity_fields(scene)) {}
+SceneStages::SceneStages(const Scene& scene)
+    : stages(scene.stages), fields(velocity_fields(scene)), gravity(scene.gravity) {}
 
 template <int Dim>
 void enter_due_stages(const SceneStages& scene, State<Dim>& state) {
   const auto& stages = scene.stages;
   while (state.stages_entered < stages.size() && stages[state.stages_entered].from <= state.t)
-    enter(stages[state.stages_entered++], scene.fields, state);
+    enter(stages[state.stages_entered++], scene, state);
   state.damping_rate = damping_at(stages[state.stages_entered - 1], state.t);
 }
 

@@ -12,6 +12,7 @@ namespace geodrop {
 struct SceneStages {
   std::vector<StageSpec> stages;
   std::vector<int> fields;
+  Point gravity;  ///< [m/s2]
 
   explicit SceneStages(const Scene& scene);
 };

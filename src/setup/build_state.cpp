@@ -150,19 +150,19 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   return membrane;
 }
 
-/// Field of the body with the particle nearest to x.
+/// The body with the particle nearest to x.
 template <int Dim>
-int field_at(const State<Dim>& state, const std::array<double, Dim>& x) {
+const Body<Dim>& body_at(const State<Dim>& state, const std::array<double, Dim>& x) {
   double nearest = std::numeric_limits<double>::infinity();
-  int field = 0;
+  const Body<Dim>* found = &state.bodies.front();
   const Vec<Dim> at(x.data());
   for (const Body<Dim>& body : state.bodies)
     for (std::size_t p = 0; p < body.size(); ++p)
       if (const double distance = (vector_at(body.x, p) - at).squaredNorm(); distance < nearest) {
         nearest = distance;
-        field = body.field;
+        found = &body;
       }
-  return field;
+  return *found;
 }
 
 template <int Dim, class Wanted>
@@ -230,14 +230,15 @@ State<Dim> build_state(const Scene& scene) {
   enclose_fluids(scene, state);
   for (const ViscousBoundarySpec& spec : scene.viscous_boundaries)
     state.viscous_boundaries.push_back(make_viscous_boundary(scene, spec, state));
-  let_bodies_wait(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
     if (!tracer) continue;
     Tracer<Dim> t{tracer->name, {}, {}, {}};
     std::copy_n(tracer->position.begin(), Dim, t.x.begin());
     t.initial_x = t.x;
-    t.field = field_at<Dim>(state, t.x);
+    const Body<Dim>& body = body_at<Dim>(state, t.x);
+    t.field = body.field;
+    t.body = body.name;
     state.tracers.push_back(t);
   }
   for (const Body<Dim>& body : state.bodies)
@@ -246,6 +247,8 @@ State<Dim> build_state(const Scene& scene) {
       for (int a = 0; a < Dim; ++a) speed2 += body.v[a][p] * body.v[a][p];
       state.v_max = std::max(state.v_max, std::sqrt(speed2));
     }
+  let_bodies_wait(scene, state);
+  if (!scene.stages.empty()) enter_due_stages(SceneStages(scene), state);
   if (scene.relaxation.damping != RelaxationSpec::Damping::none)
     state.relaxation.initial_potential = measure(state, scene.gravity).potential;
   return state;

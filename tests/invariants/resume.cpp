@@ -92,6 +92,18 @@ TEST_CASE("Bare and skinned blocks between rigid bodies that move: stopped and r
   check_resumed("tests/scenes/ramp.toml", {}, "0.12");
 }
 
+TEST_CASE("Stages, contact between bodies: stopped in each stage and resumed, the same") {
+  // Before the block is there, and while it rubs with springs stretched and damping rises.
+  for (const char* until : {"0.03", "0.12"})
+    check_resumed("tests/scenes/block_on_slab.toml",
+                  {"time.end=0.2",
+                   "stages=[{name='slab',from=0.0,damping_rate=4.0},"
+                   "{name='both',from=0.05,places=['block'],damping_rate=6.0,damping_ramp=0.1}]",
+                   "probes=[{name='cut',type='section',body='block',x=2.0},"
+                   "{name='rider',type='tracer',position=[2.0,1.5]}]"},
+                  until);
+}
+
 TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as without") {
   // Long enough to be hit: about 5 s; resumed only up to a time that an uninterrupted run reaches as well.
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};

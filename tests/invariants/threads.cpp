@@ -112,3 +112,12 @@ TEST_CASE("Ground on a viscous boundary, and sand with open voids: one hash for 
   check_threads("tests/scenes/viscous_bed.toml", {"grid.spacing=0.125", "bodies.bed.jitter=0.3", "time.end=0.05"});
   check_threads("tests/scenes/thrown_sand.toml", {"grid.spacing=0.0625", "bodies.column.jitter=0.3", "time.end=0.3"});
 }
+
+TEST_CASE("Two velocity fields, contact, stages with damping: one hash for 1, 2, 3 and 5 threads") {
+  // The block comes in after a third of the time and rubs on a slab that still moves.
+  check_threads("tests/scenes/block_on_slab.toml",
+                {"grid.spacing=0.0625", "time.end=0.06",
+                 "stages=[{name='slab',from=0.0,damping_rate=4.0},"
+                 "{name='both',from=0.02,places=['block'],damping_rate=6.0,damping_ramp=0.03}]",
+                 "probes=[{name='cut',type='section',body='block',x=2.0}]"});
+}

@@ -96,6 +96,16 @@ TEST_CASE("Rigid contact: loads for membranes, a stage for bare particles, one f
     CHECK(std::count(still.begin(), still.end(), name) == 0);
 }
 
+TEST_CASE("Bodies that part from each other add loads on their skins; stages in time begin the step") {
+  Names names{"sort_particles",    "clear_grid", "particles_to_grid", "membrane_loads",
+              "membranes_to_grid", "momentum",   "grid_to_particles", "grid_to_membranes"};
+  CHECK(stages("tests/scenes/block_on_slab.toml") == names);
+  names.insert(names.begin(), "scene_stages");
+  CHECK(stages("tests/scenes/block_on_slab.toml", {"stages=[{name='all',from=0.0}]"}) == names);
+  const Names free = stages("tests/scenes/block_on_slab.toml", {"contacts=[]"});
+  CHECK(std::count(free.begin(), free.end(), "membrane_loads") == 0);
+}
+
 TEST_CASE("Grid arrays of features that a case does not use have length zero") {
   const Grid<2> column = make_grid<2>(read_scene(source_path("cases/gravity_column.toml")));
   CHECK(column.cell_volume.empty());
