@@ -21,8 +21,8 @@ struct LawCost {
 //    update   J 2; viscous: deviator 7 | 12 and its factor 5 | 7;
 //             elastic: rotation 28 | 126, deviator 7 | 12, increment 12 | 16;
 //             neo-Hookean: F 16 | 54, J 3 | 14, b 9 | 30, logarithm 20 and stress 16 | 20;
-//             Mohr-Coulomb on top of elastic: 2D principal stresses and return 75, strain 10;
-//             3D eigenvector 80, reflections 119, return 71, sum 6, strain 15; pore 2
+//             Mohr-Coulomb on top of elastic: 2D principal stresses and return 49, strain 10;
+//             3D deviator and cone 37, axis 83, plane across it 34, return 45, sum 21, strain 15; pore 2
 LawCost cost_of(BenchMaterial material) {
   switch (material) {
     case BenchMaterial::water:
@@ -34,9 +34,9 @@ LawCost cost_of(BenchMaterial material) {
     case BenchMaterial::rubber:
       return {19, 31, 64, 138, 1, 0, 0, 1};
     case BenchMaterial::soil:
-      return {19, 31, 134, 447, 1, 1, 0, 0};
+      return {19, 31, 108, 391, 1, 1, 0, 0};
     case BenchMaterial::undrained:
-      return {21, 33, 136, 449, 1, 1, 1, 0};
+      return {21, 33, 110, 393, 1, 1, 1, 0};
   }
   return {};
 }
