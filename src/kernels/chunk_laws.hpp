@@ -62,7 +62,7 @@ class NextChunk {
  private:
   bool from_memory_;
   int count_ = 0;
-  std::array<const double*, 2 * (Dim + Dim * Dim) + stress_components<Dim> + 4> fields_;
+  std::array<const double*, 2 * (Dim + Dim * Dim) + stress_components<Dim> + 5> fields_;
 };
 
 /// What scatter reads.
@@ -89,6 +89,7 @@ NextChunk<Dim> next_to_gather(const Body<Dim>& body) {
   next.add(body.stress);
   next.add(body.pore_pressure);
   next.add(body.deviatoric_strain);
+  next.add(body.gap);
   next.add(body.deformation);
   return next;
 }

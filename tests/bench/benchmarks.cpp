@@ -44,10 +44,10 @@ template <int Dim>
 State<Dim> run_block(const Benchmark& bench, const BlockSize& size, int steps) {
   const Scene scene = block_scene(bench, size);
   State<Dim> state = build_state<Dim>(scene);
-  Grid<Dim> grid = make_grid<Dim>(scene);
+  Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   set_in_motion<Dim>(bench, scene, 1, state);
-  for (int step = 0; step < steps; ++step) advance(scene, pipeline, state, grid);
+  for (int step = 0; step < steps; ++step) advance(scene, pipeline, state, grids);
   return state;
 }
 
