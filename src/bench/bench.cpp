@@ -37,7 +37,7 @@ Labels labels_of(const Benchmark& bench) {
   return {bench.name,
           bench.dimension,
           name_of(bench.basis) + (bench.graded ? "_graded" : ""),
-          name_of(bench.material),
+          name_of(bench.material) + (bench.at_rest ? "_at_rest" : ""),
           name_of(bench.transfer),
           name_of(bench.pressure)};
 }

@@ -34,20 +34,30 @@ const ShippedMaterial shipped_materials[] = {
 };
 const ShippedMaterial& shipped(BenchMaterial material) { return shipped_materials[static_cast<std::size_t>(material)]; }
 
-/// Takes all strain back; puts soil on its yield surface, sheared as far as the mean stress allows, in the sense of the
-/// motion.
+constexpr double confinement = 10e3;  // [Pa]; its release at free faces moves them by less than 1 % of the motion
+
+/// Puts soil on its yield surface, sheared as far as the mean stress allows, in the sense of the motion.
 template <int Dim>
-void renew_stress(double direction, Body<Dim>& body) {
+void shear_stress(const MohrCoulomb& soil, double direction, Body<Dim>& body) {
+  for (int c = 0; c < 3; ++c) std::fill(body.stress[c].begin(), body.stress[c].end(), -confinement);
+  std::fill(body.stress[3].begin(), body.stress[3].end(), direction * confinement * soil.sin_phi);
+}
+
+/// K0 stress, by Jaky 1 - sin(phi).
+template <int Dim>
+void rest_stress(const MohrCoulomb& soil, Body<Dim>& body) {
+  for (int c = 0; c < 3; ++c)
+    std::fill(body.stress[c].begin(), body.stress[c].end(), -confinement * (c == 1 ? 1 : 1 - soil.sin_phi));
+}
+
+/// Takes all strain and stress back.
+template <int Dim>
+void renew_material(Body<Dim>& body) {
   const auto fill = [](auto& values, double value) { std::fill(values.begin(), values.end(), value); };
   fill(body.J, 1.0);
   for (int c = 0; c < Dim * Dim; ++c) fill(body.deformation[c], c % (Dim + 1) == 0 ? 1.0 : 0.0);
   for (auto& component : body.stress) fill(component, 0.0);
   fill(body.pore_pressure, 0.0);
-  const auto* soil = std::get_if<MohrCoulomb>(&body.material);
-  if (!soil) return;
-  constexpr double confinement = 10e3;  // [Pa]; its release at the free faces moves them by less than 1 % of the motion
-  for (int c = 0; c < 3; ++c) fill(body.stress[c], -confinement);
-  fill(body.stress[3], direction * confinement * soil->sin_phi);
 }
 
 }  // namespace
@@ -77,6 +87,8 @@ std::vector<Benchmark> all_benchmarks() {
         const bool tears = basis == Basis::linear && material == BenchMaterial::rubber;
         add(material, "", tears ? Transfer::musl : plain, PressureSupport::particle);
       }
+      add(BenchMaterial::soil, "_at_rest", plain, PressureSupport::particle);
+      all.back().at_rest = true;
       const PressureSupport average = average_of(basis);
       for (const BenchMaterial material : {BenchMaterial::water, BenchMaterial::soil})
         add(material, "_" + name_of(average), plain, average);
@@ -109,6 +121,11 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size) {
   scene.time.end = 1e3;
   const ShippedMaterial& material = shipped(bench.material);
   scene.materials.push_back({material.short_name, material.model, {}});
+  if (auto* soil = std::get_if<MohrCoulombSpec>(&scene.materials[0].model); soil && bench.at_rest) {
+    // Holds the free faces together, whose release of stress would yield half way into a small block.
+    soil->cohesion = 20e3;
+    soil->tension_cutoff = 20e3;
+  }
   BodySpec body;
   body.name = "block";
   body.material = scene.materials[0].name;
@@ -123,8 +140,9 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size) {
 }
 
 template <int Dim>
-void set_in_motion(const Scene& scene, double direction, State<Dim>& state) {
-  constexpr double drift_share = 0.15, shear_share = 0.03;
+void set_in_motion(const Benchmark& bench, const Scene& scene, double direction, State<Dim>& state) {
+  constexpr double drift_share = 0.15;
+  const double shear_share = bench.at_rest ? 0.003 : 0.03;
   Body<Dim>& body = state.bodies[0];
   const double c = wave_speed(body.material);
   const double middle = 0.5 * (scene.grid.lower[1] + scene.grid.upper[1]);
@@ -136,10 +154,13 @@ void set_in_motion(const Scene& scene, double direction, State<Dim>& state) {
   for (std::size_t p = 0; p < body.size(); ++p) body.v[0][p] += rate * (body.x[1][p] - middle);
   state.v_max =
       c * std::sqrt((drift_share + shear_share) * (drift_share + shear_share) + (Dim - 1) * drift_share * drift_share);
-  renew_stress(direction, body);
+  renew_material(body);
+  const auto* soil = std::get_if<MohrCoulomb>(&body.material);
+  if (soil && bench.at_rest) rest_stress(*soil, body);
+  if (soil && !bench.at_rest) shear_stress(*soil, direction, body);
 }
 
-template void set_in_motion<2>(const Scene&, double, State<2>&);
-template void set_in_motion<3>(const Scene&, double, State<3>&);
+template void set_in_motion<2>(const Benchmark&, const Scene&, double, State<2>&);
+template void set_in_motion<3>(const Benchmark&, const Scene&, double, State<3>&);
 
 }  // namespace geodrop

@@ -19,7 +19,8 @@ struct WorkKind {
   BenchMaterial material = BenchMaterial::water;
   Transfer transfer = Transfer::tpic;
   PressureSupport pressure = PressureSupport::particle;
-  bool graded = false;  ///< benchmarks: graded kernels on cells of the same width; all that differs is what they cost
+  bool graded = false;   ///< benchmarks: graded kernels on cells of the same width; all that differs is what they cost
+  bool at_rest = false;  ///< benchmarks: soil under K0 stress, carried along, elastic; else every point yields
 };
 
 struct Benchmark : WorkKind {
@@ -48,8 +49,9 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size);
 /// Sets the block moving: 0.15 c along every axis, so that it crosses a cell in about 16 steps, and a shear of
 /// +-0.03 c across its height. `direction` +1 or -1 turns both round, so that the block stays where it is on average.
 /// All strain is taken back: what a free block does after long shearing is no matter of speed. Soil is put on its yield
-/// surface under 10 kPa, and goes on yielding.
+/// surface under 10 kPa, and goes on yielding at every point. Soil at rest has cohesion and K0 stress under 10 kPa,
+/// shears ten times less, and yields nowhere.
 template <int Dim>
-void set_in_motion(const Scene& scene, double direction, State<Dim>& state);
+void set_in_motion(const Benchmark& bench, const Scene& scene, double direction, State<Dim>& state);
 
 }  // namespace geodrop

@@ -21,7 +21,8 @@ constexpr double particles_in_domain = 1e5;
 
 bool grows(const Benchmark& bench) {
   const bool material = bench.material == BenchMaterial::water || bench.material == BenchMaterial::soil;
-  return material && !bench.graded && bench.transfer == Transfer::tpic && bench.basis == Basis::bspline2;
+  return material && !bench.at_rest && !bench.graded && bench.transfer == Transfer::tpic &&
+         bench.basis == Basis::bspline2;
 }
 
 /// Of particles, of what building them takes for a while, and of the grid [byte]; generous.

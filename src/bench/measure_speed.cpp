@@ -21,6 +21,7 @@ struct Subject {
   State<Dim> state;
   Grids<Dim> grids;
   Pipeline<Dim> pipeline;
+  bool at_rest = false;
 };
 
 BenchMaterial kind_of(const Material& material) {
@@ -41,7 +42,7 @@ SpeedMeasurement describe(const Subject<Dim>& subject) {
   for (const Body<Dim>& body : subject.state.bodies) {
     m.bytes_per_particle += particle_bytes(body) / all;
     m.work += work_of({Dim, subject.scene.grid.basis, kind_of(body.material), subject.scene.solver.transfer,
-                       body.pressure, subject.grids.front().layout.graded()}) *
+                       body.pressure, subject.grids.front().layout.graded(), subject.at_rest}) *
               (static_cast<double>(body.size()) / all);
   }
   return m;
@@ -94,10 +95,11 @@ template <int Dim>
 SpeedMeasurement measure_block_in(const Benchmark& bench, const BlockSize& size, const Effort& effort,
                                   ReferenceKernels& reference) {
   Subject<Dim> subject(block_scene(bench, size));
-  set_in_motion<Dim>(subject.scene, 1, subject.state);
+  subject.at_rest = bench.at_rest;
+  set_in_motion<Dim>(bench, subject.scene, 1, subject.state);
   step_cycles(subject, 1);
   return take_samples(subject, effort.samples, reference, [&](int k) {
-    set_in_motion<Dim>(subject.scene, k % 2 ? 1 : -1, subject.state);
+    set_in_motion<Dim>(bench, subject.scene, k % 2 ? 1 : -1, subject.state);
     return time_steps(subject, reference.threads(), [&] { return step_cycles(subject, effort.cycles); });
   });
 }

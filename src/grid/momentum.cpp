@@ -144,9 +144,24 @@ void update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, co
   if (!grid.velocity_change.empty()) grid.velocity_change[flat] = change;
 }
 
+/// Velocities of a row where nothing but gravity is left to act: stresses have joined the momentum, no cell has a
+/// pressure, nobody asks for the change. 13 -> 5 ns a node.
+template <int Dim>
+void update_plain_row(Grid<Dim>& grid, int begin, int count, const Vec4& gravity) {
+  for (int node = begin; node < begin + count; ++node) {
+    const Vec4 sum = grid.sum[node];
+    Vec4 velocity{};
+    if (sum[3] > 0) velocity = sum * (1 / sum[3]) + gravity;
+    velocity[3] = 0;
+    grid.velocity[node] = velocity;
+  }
+}
+
 template <int Dim>
 void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node, const MomentumStep& step,
                 LeftOver& left_over) {
+  if (grid.cell_pressure.empty() && grid.force.empty() && grid.velocity_change.empty())
+    return update_plain_row<Dim>(grid, begin, count, step.gravity);
   const RowForce<Dim> force =
       grid.cell_pressure.empty() ? RowForce<Dim>{} : cell_pressure_force<Dim>(grid, begin, count, node);
   const bool separate = !grid.force.empty();

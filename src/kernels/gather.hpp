@@ -79,9 +79,6 @@ void store_sums(const GatherSums<Dim>& s, double dt, bool shifting_body, bool sh
   rates.volume[k] = trace;
 }
 
-/// Bodies of more particles than this do not stay in a cache of 32 MB from one stage to the next.
-inline constexpr std::size_t cached_particles = 200000;
-
 /// C_p = L_p, damped. Nothing reads it before the next step: where it would leave the cache anyway it goes straight to
 /// memory, which spares reading it first (3D soil on hat functions: 15 % more particle-steps per second).
 template <int Dim>

@@ -31,6 +31,7 @@ void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_
   ChunkWeights<Dim, Basis> weights;
   ChunkStress<Dim> stress;
   alignas(64) double own[chunk_size];
+  const NextChunk<Dim> next = next_to_scatter(body);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
@@ -41,9 +42,11 @@ void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_
     if constexpr (!Separate)
       for (const int c : acting_components<Dim>)
         for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
-    for (int k = 0; k < count; ++k)
+    for (int k = 0; k < count; ++k) {
+      next.fetch(p, k);
       add_particle<Dim, Basis, Separate>(make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h),
                                          grid.layout, weights, k, grid.sum.data(), grid.force.data());
+    }
   }
 }
 
@@ -78,11 +81,13 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
   ChunkRates<Dim> rates;
   alignas(64) double old_x[Dim][chunk_size];
   Maxima maxima;
+  const NextChunk<Dim> next = next_to_gather<Dim>(body);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     for (int a = 0; a < Dim; ++a) std::copy_n(body.x[a].data() + p, count, old_x[a]);
     compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
+      next.fetch(p, k);
       const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
       store_sums<Dim, transfer>(sums_of<Dim, Basis, transfer>(grid, weights, k), options.dt, body.shift, shift, k,
                                 rates);

@@ -9,25 +9,33 @@
 
 namespace geodrop {
 
-/// A stress in a frame of which the third axis is principal: in-plane xx, yy, xy and the stress along that axis.
-/// Plane strain is of this kind as it stands; in 3D one eigenvector is found first.
+/// Principal stresses: two are centre +- radius, the third is along a known axis. Plane strain is of this kind as it
+/// stands; in 3D one eigenvector is found first.
 template <class R>
 struct AxisStress {
-  R xx, yy, xy, axis;
+  R centre, radius, axis;
 };
 
-/// Change of stress that brings `trial` back to the yield surface; exactly zero where it does not yield.
-/// Tells whether any lane yields.
+/// What the return changes: the centre and the axis by so much [Pa], the radius by this share of it [-].
+template <class R>
+struct AxisChange {
+  R centre, ratio, axis;
+};
+
+/// Radius of a circle in the plane across the axis [Pa]. Its floor, far below any stress and far above underflow,
+/// gives equal principal stresses a harmless direction.
+template <class R>
+[[gnu::always_inline]] inline R radius_of(const R& square) {
+  return max(sqrt(square), R(1e-100));
+}
+
+/// Change that brings `trial` back to the yield surface; exactly zero where it does not yield. Tells whether any lane
+/// yields.
 template <class R>
 [[gnu::always_inline]] inline bool plastic_correction(const YieldSurface& surface, const AxisStress<R>& trial,
-                                                      AxisStress<R>& change) {
-  const R centre = 0.5 * (trial.xx + trial.yy);
-  const R half_difference = 0.5 * (trial.xx - trial.yy);
-  // Far below any stress [Pa], far above underflow: gives equal principal stresses a harmless direction.
-  const double smallest_radius = 1e-100;
-  const R radius = max(sqrt(half_difference * half_difference + trial.xy * trial.xy), R(smallest_radius));
-  const R inverse_radius = 1.0 / radius;  // here, so that it runs beside the return
-  const R high = centre + radius, low = centre - radius, z = trial.axis;
+                                                      AxisChange<R>& change) {
+  const R inverse_radius = 1.0 / trial.radius;  // here, so that it runs beside the return
+  const R high = trial.centre + trial.radius, low = trial.centre - trial.radius, z = trial.axis;
   const Principal<R> sorted{max(high, z), max(low, min(high, z)), min(low, z)};
   const auto outside = violates(surface, sorted);
   if (!any(outside)) return false;
@@ -38,35 +46,48 @@ template <class R>
   const auto axis_third = z < low;
   const R d_high = select(axis_first, d.second, d.first);
   const R d_low = select(axis_third, d.second, d.third);
-  const R d_centre = 0.5 * (d_high + d_low);
-  const R ratio = 0.5 * (d_high - d_low) * inverse_radius;
-  change.xx = d_centre + ratio * half_difference;
-  change.yy = d_centre - ratio * half_difference;
-  change.xy = ratio * trial.xy;
+  change.centre = 0.5 * (d_high + d_low);
+  change.ratio = 0.5 * (d_high - d_low) * inverse_radius;
   change.axis = select(axis_first, d.first, select(axis_third, d.third, d.second));
   return true;
 }
 
 template <class R>
-[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, std::array<R, 4>& stress) {
-  AxisStress<R> change;
-  if (!plastic_correction<R>(surface, {stress[0], stress[1], stress[3], stress[2]}, change)) return;
-  stress[0] += change.xx;
-  stress[1] += change.yy;
+[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, Stress<2, R>& stress) {
+  const R centre = 0.5 * (stress[0] + stress[1]);
+  const R half_difference = 0.5 * (stress[0] - stress[1]);
+  const R radius = radius_of<R>(half_difference * half_difference + stress[3] * stress[3]);
+  AxisChange<R> change;
+  if (!plastic_correction<R>(surface, {centre, radius, stress[2]}, change)) return;
+  stress[0] += change.centre + change.ratio * half_difference;
+  stress[1] += change.centre - change.ratio * half_difference;
   stress[2] += change.axis;
-  stress[3] += change.xy;
+  stress[3] += change.ratio * stress[3];
 }
 
 /// The change is found in the principal frame and added outside, so that an elastic stress keeps every bit.
 template <class R>
-[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, std::array<R, 6>& stress) {
-  const Reflection<R> reflection = reflection_to_z(separated_eigenvector(stress));
-  const Stress<3, R> turned = reflect(reflection, stress);
-  AxisStress<R> change;
-  if (!plastic_correction<R>(surface, {turned[0], turned[1], turned[3], turned[2]}, change)) return;
-  const Stress<3, R> back = reflect<R>(reflection, {change.xx, change.yy, change.axis, change.xy, R{}, R{}});
+[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, Stress<3, R>& stress) {
+  constexpr double third = 1.0 / 3.0;
+  const R mean = third * (stress[0] + stress[1] + stress[2]);
+  const Stress<3, R> s{stress[0] - mean, stress[1] - mean, stress[2] - mean, stress[3], stress[4], stress[5]};
+  const R p2 = squared_scale(s);
+  if (!any(leaves_cone(surface, mean, p2))) return;
+  const EigenAxis<R> axis = separated_axis(s, p2);
+  // s = (3 l n n^T - l I) / 2 + a rest in the plane across n
+  const R half = 0.5 * axis.eigenvalue;
+  Stress<3, R> plane;
 #pragma GCC unroll 6
-  for (int k = 0; k < 6; ++k) stress[k] += back[k];
+  for (int k = 0; k < 6; ++k) plane[k] = (k < 3 ? s[k] + half : s[k]) - 3.0 * half * axis.dyad[k];
+  const R radius = radius_of<R>(0.5 * norm_squared<3, R>(plane));
+  AxisChange<R> change;
+  if (!plastic_correction<R>(surface, {mean - half, radius, mean + axis.eigenvalue}, change)) return;
+  const R along = change.axis - change.centre;
+#pragma GCC unroll 6
+  for (int k = 0; k < 6; ++k) {
+    const R sheared = change.ratio * plane[k] + along * axis.dyad[k];
+    stress[k] += k < 3 ? change.centre + sheared : sheared;
+  }
 }
 
 /// Advances the effective Cauchy stress [Pa] by one step and returns sqrt(2/3 de:de) of the deviatoric strain
@@ -77,11 +98,12 @@ template <int Dim, class R>
                                               const R& dvol,
                                               std::array<R, std::size_t{stress_components<Dim>}>& stress) {
   const Stress<Dim, R> deviatoric = deviator<Dim, R>(dL);
+  constexpr double two_thirds = 2.0 / 3.0;
+  const R strain = sqrt(two_thirds * norm_squared<Dim, R>(deviatoric));
   rotate(dL, stress);
   add_elastic<Dim, R>(law, deviatoric, dvol, stress);
   return_stress(YieldSurface(law), stress);
-  constexpr double two_thirds = 2.0 / 3.0;
-  return sqrt(two_thirds * norm_squared<Dim, R>(deviatoric));
+  return strain;
 }
 
 }  // namespace geodrop

@@ -1,6 +1,6 @@
-// One eigenvector of a symmetric 3 x 3 matrix, the best separated one, without iteration or branches; the other two
-// follow from the 2 x 2 problem in the plane across it. After Eberly, "A robust eigensolver for 3x3 symmetric
-// matrices" (Geometric Tools). A double eigenvalue is always in that plane, where its directions do not matter.
+// One eigenvector of a symmetric 3 x 3 matrix, the best separated one, without iteration or branches, as its dyad; what
+// is left acts in the plane across it. A double eigenvalue is always in that plane, where its directions do not matter.
+// After Eberly, "A robust eigensolver for 3x3 symmetric matrices" (Geometric Tools).
 //
 // Jacobi sweeps were the alternative: 12 rotations, each with two square roots and two divisions, against two and
 // three here in all.
@@ -27,67 +27,38 @@ template <class R>
   return c - ((4.0 * c2 - 3.0) * c - r) / (12.0 * c2 - 3.0);
 }
 
-/// Column of the adjugate of M with the largest diagonal entry: spans the null space of M, which is of rank 2.
+/// An eigenvector n of a symmetric tensor: its eigenvalue, and n n^T in the order of a stress.
 template <class R>
-[[gnu::always_inline]] inline std::array<R, 3> null_vector(const Stress<3, R>& M) {
-  const auto [xx, yy, zz, xy, yz, xz] = M;
-  const R a_xx = yy * zz - yz * yz, a_yy = xx * zz - xz * xz, a_zz = xx * yy - xy * xy;
-  const R a_xy = yz * xz - xy * zz, a_xz = xy * yz - yy * xz, a_yz = xy * xz - xx * yz;
-  const auto y_leads = a_yy > a_xx;
-  const auto z_leads = a_zz > max(a_xx, a_yy);
-  return {select(z_leads, a_xz, select(y_leads, a_xy, a_xx)), select(z_leads, a_yz, select(y_leads, a_yy, a_xy)),
-          select(z_leads, a_zz, select(y_leads, a_yz, a_xz))};
-}
-
-/// Eigenvector of `stress` whose eigenvalue is farthest from the other two; its length means nothing.
-template <class R>
-[[gnu::always_inline]] inline std::array<R, 3> separated_eigenvector(const Stress<3, R>& stress) {
-  constexpr double third = 1.0 / 3.0, sixth = 1.0 / 6.0;
-  // Floor of the deviator [Pa^2]: far below any stress; gives an isotropic one a harmless direction. Its square is
-  // met below and must not underflow.
-  const double smallest_square = 1e-120;
-  const R mean = third * (stress[0] + stress[1] + stress[2]);
-  const R xx = stress[0] - mean, yy = stress[1] - mean, zz = stress[2] - mean;
-  const R xy = stress[3], yz = stress[4], xz = stress[5];
-  // The eigenvalues of the deviator are 2 p cos(alpha + 2 pi k / 3), p^2 = s:s / 6, cos(3 alpha) = det / (2 p^3).
-  const R p2 = max(sixth * norm_squared<3, R>({xx, yy, zz, xy, yz, xz}), R(smallest_square));
-  const R p = sqrt(p2);
-  const R det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  const R ratio = min(0.5 * abs(det) / (p * p2), R(1.0));
-  const R separated = 2.0 * p * cos_third(ratio);
-  const R eigenvalue = select(det < 0.0, -separated, separated);
-  return null_vector<R>({xx - eigenvalue, yy - eigenvalue, zz - eigenvalue, xy, yz, xz});
-}
-
-/// Householder reflection I - beta h h^T. It is its own inverse and its own transpose.
-template <class R>
-struct Reflection {
-  std::array<R, 3> h;
-  R beta;
+struct EigenAxis {
+  R eigenvalue;
+  Stress<3, R> dyad;
 };
 
-/// The reflection that turns v, of any length but zero, into the z axis (or -z).
+/// Squared scale of a deviator, p^2 = s:s / 6 [Pa^2]. Its floor is far below any stress and gives an isotropic one a
+/// harmless direction; its square is met below and must not underflow.
 template <class R>
-[[gnu::always_inline]] inline Reflection<R> reflection_to_z(const std::array<R, 3>& v) {
-  const auto& [x, y, z] = v;
-  const R length = sqrt(x * x + y * y + z * z);
-  const R h_z = z + select(z < 0.0, -length, length);
-  return {{x, y, h_z}, 1.0 / (length * abs(h_z))};
+[[gnu::always_inline]] inline R squared_scale(const Stress<3, R>& s) {
+  constexpr double sixth = 1.0 / 6.0, smallest_square = 1e-120;
+  return max(sixth * norm_squared<3, R>(s), R(smallest_square));
 }
 
-/// H S H of a symmetric tensor.
+/// The axis of the deviator `s` whose eigenvalue is farthest from the other two; p2 is its squared scale.
 template <class R>
-[[gnu::always_inline]] inline Stress<3, R> reflect(const Reflection<R>& reflection, const Stress<3, R>& s) {
-  const auto& [x, y, z] = reflection.h;
-  const R& beta = reflection.beta;
-  // H S H = S - h w^T - w h^T with q = beta S h, w = q - (beta/2) (h.q) h.
-  const R q_x = beta * (s[0] * x + s[3] * y + s[5] * z);
-  const R q_y = beta * (s[3] * x + s[1] * y + s[4] * z);
-  const R q_z = beta * (s[5] * x + s[4] * y + s[2] * z);
-  const R along = 0.5 * beta * (x * q_x + y * q_y + z * q_z);
-  const R w_x = q_x - along * x, w_y = q_y - along * y, w_z = q_z - along * z;
-  return {s[0] - 2.0 * x * w_x,     s[1] - 2.0 * y * w_y,     s[2] - 2.0 * z * w_z,
-          s[3] - x * w_y - y * w_x, s[4] - y * w_z - z * w_y, s[5] - x * w_z - z * w_x};
+[[gnu::always_inline]] inline EigenAxis<R> separated_axis(const Stress<3, R>& s, const R& p2) {
+  // The eigenvalues are 2 p cos(alpha + 2 pi k / 3) with cos(3 alpha) = det / (2 p^3).
+  const auto& [xx, yy, zz, xy, yz, xz] = s;
+  const R p = sqrt(p2), inverse = 1.0 / p2;
+  const R det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  const R ratio = min(0.5 * abs(det) * inverse * (inverse * p), R(1.0));
+  const R separated = 2.0 * p * cos_third(ratio);
+  const R eigenvalue = select(det < 0.0, -separated, separated);
+  // The adjugate of a matrix of rank 2 is a multiple of n n^T; its trace is 6 to 9 p^2 here.
+  const R a = xx - eigenvalue, b = yy - eigenvalue, c = zz - eigenvalue;
+  const R n_xx = b * c - yz * yz, n_yy = a * c - xz * xz, n_zz = a * b - xy * xy;
+  const R scale = 1.0 / (n_xx + n_yy + n_zz);
+  return {eigenvalue,
+          {scale * n_xx, scale * n_yy, scale * n_zz, scale * (yz * xz - xy * c), scale * (xy * xz - a * yz),
+           scale * (xy * yz - b * xz)}};
 }
 
 }  // namespace geodrop

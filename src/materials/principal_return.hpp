@@ -73,6 +73,23 @@ template <class R>
   return (shear_yield(surface, trial.first, trial.third) > 0.0) | (trial.first > surface.cutoff);
 }
 
+/// Where the stresses of a mean and a squared scale p^2 = s:s / 6 leave the cone inscribed in the yield surface; inside
+/// of it none of them yields, whatever round-off makes of it.
+//
+// s1 and s3 are m + 2 p cos(alpha), m + 2 p cos(alpha + 2 pi / 3); f_13 = 2 sin(phi) m - k + 2 p (...), of which the
+// bracket is sqrt(3 + sin(phi)^2) at most, and s1 <= m + 2 p.
+template <class R>
+[[gnu::always_inline]] inline auto leaves_cone(const YieldSurface& y, const R& mean, const R& p2) {
+  constexpr double round_off = 1e-13;
+  const double twice_sine = y.plus_phi - y.minus_phi;
+  const double slope = (12.0 + twice_sine * twice_sine) * (1 + round_off);
+  const R margin = round_off * abs(mean);
+  const R shear_room = y.strength - twice_sine * mean - margin, tension_room = y.cutoff - mean - margin;
+  const R room = min(shear_room, tension_room);
+  return (room <= 0.0) | (slope * p2 >= shear_room * shear_room) |
+         (4.0 * p2 * (1 + round_off) >= tension_room * tension_room);
+}
+
 /// Returns where the cut-off is active: its plane, its edge, its line with the shear plane, its corners.
 template <class R>
 [[gnu::always_inline]] inline Principal<R> return_to_cutoff(const YieldSurface& y, const Principal<R>& trial) {
@@ -112,6 +129,27 @@ template <class R>
   return select((x1 > t) & (on_plane2 <= t) & (on_plane3 >= m), Principal<R>{t, on_plane2, on_plane3}, best);
 }
 
+/// Edges of the pyramid where the return to its shear plane breaks the order of the stresses.
+template <class R>
+[[gnu::always_inline]] inline Principal<R> return_to_edges(const YieldSurface& y, const Principal<R>& trial,
+                                                           const R& f13, const Principal<R>& plane) {
+  const auto& [x1, x2, x3] = trial;
+  // Triaxial compression, s2 = s3: sum of the multipliers of g_13 and g_12.
+  const R compression = (f13 + shear_yield(y, x1, x2)) * (1.0 / (y.stiffness + y.compression_edge));
+  const R compression1 = x1 - y.flow_first * compression;
+  const R compression3 = 0.5 * (x2 + x3) - 0.5 * (y.flow_volume + y.flow_third) * compression;
+
+  // Triaxial extension, s1 = s2: sum of the multipliers of g_13 and g_23.
+  const R extension = (f13 + shear_yield(y, x2, x3)) * (1.0 / (y.stiffness + y.extension_edge));
+  const R extension1 = 0.5 * (x1 + x2) - 0.5 * (y.flow_volume + y.flow_first) * extension;
+  const R extension3 = x3 - y.flow_third * extension;
+
+  const Principal<R> best =
+      select(plane.second < plane.third, Principal<R>{compression1, compression3, compression3}, plane);
+  return select((plane.second > plane.first) & (extension1 <= y.cutoff),
+                Principal<R>{extension1, extension1, extension3}, best);
+}
+
 /// The stress on the yield surface that belongs to a sorted trial stress [Pa] outside of it; `outside` tells which
 /// lanes that holds for, the others get their trial stress back.
 template <class R, class Mask>
@@ -126,19 +164,8 @@ template <class R, class Mask>
                            x3 - y.flow_third * multiplier};
   const auto below = plane.second < plane.third;
   const auto above = plane.second > plane.first;
-
-  // Triaxial compression, s2 = s3: sum of the multipliers of g_13 and g_12.
-  const R compression = (f13 + shear_yield(y, x1, x2)) * (1.0 / (y.stiffness + y.compression_edge));
-  const R compression1 = x1 - y.flow_first * compression;
-  const R compression3 = 0.5 * (x2 + x3) - 0.5 * (y.flow_volume + y.flow_third) * compression;
-
-  // Triaxial extension, s1 = s2: sum of the multipliers of g_13 and g_23.
-  const R extension = (f13 + shear_yield(y, x2, x3)) * (1.0 / (y.stiffness + y.extension_edge));
-  const R extension1 = 0.5 * (x1 + x2) - 0.5 * (y.flow_volume + y.flow_first) * extension;
-  const R extension3 = x3 - y.flow_third * extension;
-
-  Principal<R> best = select(below, Principal<R>{compression1, compression3, compression3}, plane);
-  best = select(above & (extension1 <= y.cutoff), Principal<R>{extension1, extension1, extension3}, best);
+  Principal<R> best = plane;
+  if (any((below | above) & outside)) best = return_to_edges(y, trial, f13, plane);
   best = select(outside, best, trial);
   const auto open = (best.first > y.cutoff) | (best.second > best.first) | (outside & (f13 <= 0.0));
   if (any(open)) best = select(open, return_to_cutoff(y, trial), best);

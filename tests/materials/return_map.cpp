@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -225,7 +226,7 @@ TEST_CASE("Returned stresses are admissible and the plastic strain obeys the flo
   CHECK(plastic > 10000);
 }
 
-TEST_CASE("The separated eigenvector decouples its axis, double and triple eigenvalues included") {
+TEST_CASE("The separated axis is an eigenvector, double eigenvalues included") {
   Dice dice;
   for (const double gap : {1.0, 1e-3, 1e-6, 1e-9, 1e-13, 0.0}) {
     for (int repeat = 0; repeat < 200; ++repeat) {
@@ -233,16 +234,49 @@ TEST_CASE("The separated eigenvector decouples its axis, double and triple eigen
       const double sign = repeat % 2 ? 1 : -1;
       const Vector3d values{dice.normal(), sign, sign + gap};
       const auto stress = components<3>(5e4 * turn * values.asDiagonal() * turn.transpose());
-      const auto turned = reflect(reflection_to_z(separated_eigenvector(stress)), stress);
-      CHECK(std::abs(turned[4]) + std::abs(turned[5]) < 1e-14 * 10 * largest(stress));
-      CHECK(largest_difference(reflect(reflection_to_z(separated_eigenvector(stress)), turned), stress) <
-            1e-14 * 10 * largest(stress));
+      const double mean = (stress[0] + stress[1] + stress[2]) / 3;
+      const Stress<3, double> s{stress[0] - mean, stress[1] - mean, stress[2] - mean, stress[3], stress[4], stress[5]};
+      const EigenAxis<double> axis = separated_axis(s, squared_scale(s));
+      const Matrix3d dyad = matrix(axis.dyad);
+      CHECK((matrix(s) * dyad - axis.eigenvalue * dyad).norm() < 1e-14 * 10 * largest(stress));
+      CHECK(largest(s) * (dyad * dyad - dyad).norm() < 1e-14 * 10 * largest(stress));
+      CHECK(dyad.trace() == doctest::Approx(1).epsilon(1e-15));
     }
   }
+}
+
+TEST_CASE("An isotropic trial stress returns to the apex") {
   // Without any deviator there is no direction to divide by; the apex of this soil is at 1000 sqrt(3) Pa.
   const double apex = 1000 * std::sqrt(3.0);
   const auto result = returned<3>(soil({1e6, 0.3, 1000, 30, 10}), {5000, 5000, 5000, 0, 0, 0});
   CHECK(largest_difference(result, {apex, apex, apex, 0, 0, 0}) < 1e-9);
   CHECK(largest_difference(returned<2>(soil({1e6, 0.3, 1000, 30, 10}), {5000, 5000, 5000, 0}), {apex, apex, apex, 0}) <
         1e-9);
+}
+
+TEST_CASE("The cone is inscribed in the yield surface: what it holds does not yield, and it touches") {
+  Dice dice;
+  int held = 0;
+  for (int repeat = 0; repeat < 20000; ++repeat) {
+    const MohrCoulomb law = soil({1e6, 0.3, repeat % 3 ? 1000.0 : 0.0, dice.uniform(1, 45), 0, dice.uniform(0, 1000)});
+    const YieldSurface surface(law);
+    const double mean = dice.uniform(-5000, 1000);
+    const double room = surface.strength - 2 * law.sin_phi * mean;
+    // s1 - s3 = 2 sqrt(3) p cos(angle) and s1 + s3 = -2 p sin(angle) are together worst at this angle.
+    const double touching = -std::atan(law.sin_phi / std::sqrt(3.0));
+    const double angle = repeat % 2 ? touching : dice.uniform(-std::numbers::pi / 6, std::numbers::pi / 6);
+    const double on_cone = room / (2 * std::sqrt(3 + law.sin_phi * law.sin_phi));
+    const double p = on_cone * (1 + std::pow(10, -dice.uniform(0, 14)) * dice.normal());
+    if (!(p > 0)) continue;
+    const Principal<double> s{mean + 2 * p * std::cos(std::numbers::pi / 6 + angle), mean + 2 * p * std::sin(angle),
+                              mean - 2 * p * std::cos(std::numbers::pi / 6 - angle)};
+    const bool outside = leaves_cone(surface, mean, p * p);
+    CAPTURE(mean);
+    CAPTURE(p / on_cone - 1);
+    CAPTURE(angle);
+    if (!outside) CHECK_FALSE(violates(surface, s));
+    if (repeat % 2 && p > on_cone * (1 + 1e-9)) CHECK(violates(surface, s));
+    held += !outside;
+  }
+  CHECK(held > 2000);
 }
