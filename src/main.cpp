@@ -8,6 +8,7 @@
 #include "command_line/geotube.hpp"
 #include "command_line/only_if.hpp"
 #include "command_line/plot.hpp"
+#include "command_line/release.hpp"
 #include "output/shell_command.hpp"
 
 #include <omp.h>
@@ -190,6 +191,9 @@ int main(int argc, char** argv) {
   auto* geotube_command = app.add_subcommand("geotube", "the exact shape and tension of a geotube at rest");
   geodrop::GeotubeArguments geotube;
   geodrop::add_geotube_options(*geotube_command, geotube);
+  auto* release_command = app.add_subcommand("release", "design formulas of a container that leaves a split barge");
+  geodrop::ReleaseArguments release;
+  geodrop::add_release_options(*release_command, release);
   auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
   geodrop::PlotArguments plot;
   geodrop::add_plot_options(*plot_command, plot);
@@ -203,6 +207,7 @@ int main(int argc, char** argv) {
     arguments.compare = bench_command->count("--check") > 0;
     if (*bench_command) return bench(arguments);
     if (*geotube_command) return geodrop::run_geotube(geotube);
+    if (*release_command) return geodrop::run_release(release);
     if (*plot_command) return geodrop::run_plot(plot);
     return info(arguments);
   } catch (const CLI::ParseError& error) {

@@ -19,10 +19,6 @@ namespace {
   throw SceneError("geodrop geotube", {{{}, option, found, allowed, ProblemSource::elsewhere}});
 }
 
-CLI::Validator positive(const std::string& allowed) {
-  return only_if<double>([](double value) { return value > 0; }, allowed);
-}
-
 // --- Which tubes are asked for ---------------------------------------------------------------------------------------
 
 struct Choice {

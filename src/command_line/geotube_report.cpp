@@ -1,11 +1,11 @@
-// One list of results serves the terminal and the CSV, so that they cannot fall out of step.
+// A list of results for the terminal and the CSV, an outline for the picture.
 #include "geotube_report.hpp"
 
 #include "output/atomic_file.hpp"
 #include "output/text.hpp"
 #include "plot/chart.hpp"
-
-#include <geodrop/error.hpp>
+#include "result_directory.hpp"
+#include "result_list.hpp"
 
 #include <cmath>
 
@@ -16,25 +16,20 @@ namespace fs = std::filesystem;
 
 constexpr int digits = 10;
 
-struct Result {
-  std::string name, column, unit;  ///< for people, for the CSV
-  double value;
-};
-
-std::vector<Result> list_results(const Geotube& tube, const std::optional<TensionStrength>& strength) {
-  std::vector<Result> list{{"area", "area_m2", "m2", tube.area},
-                           {"height", "height_m", "m", tube.height},
-                           {"width", "width_m", "m", tube.width},
-                           {"height / width", "height_to_width_ratio", "-", tube.height / tube.width},
-                           {"base width", "base_width_m", "m", tube.base_width},
-                           {"level of the width", "width_level_m", "m", tube.width_level},
-                           {"membrane length", "length_m", "m", tube.length},
-                           {"membrane strain", "strain_ratio", "-", tube.strain},
-                           {"top pressure", "pressure_top_Pa", "Pa", tube.top_pressure},
-                           {"bottom pressure", "pressure_bottom_Pa", "Pa", tube.bottom_pressure},
-                           {"fill pressure top", "fill_pressure_top_Pa", "Pa", tube.fill_pressure_top},
-                           {"fill pressure bottom", "fill_pressure_bottom_Pa", "Pa", tube.fill_pressure_bottom},
-                           {"tension", "tension_N_m", "N/m", tube.tension}};
+ResultList list_results(const Geotube& tube, const std::optional<TensionStrength>& strength) {
+  ResultList list{{"area", "area_m2", "m2", tube.area},
+                  {"height", "height_m", "m", tube.height},
+                  {"width", "width_m", "m", tube.width},
+                  {"height / width", "height_to_width_ratio", "-", tube.height / tube.width},
+                  {"base width", "base_width_m", "m", tube.base_width},
+                  {"level of the width", "width_level_m", "m", tube.width_level},
+                  {"membrane length", "length_m", "m", tube.length},
+                  {"membrane strain", "strain_ratio", "-", tube.strain},
+                  {"top pressure", "pressure_top_Pa", "Pa", tube.top_pressure},
+                  {"bottom pressure", "pressure_bottom_Pa", "Pa", tube.bottom_pressure},
+                  {"fill pressure top", "fill_pressure_top_Pa", "Pa", tube.fill_pressure_top},
+                  {"fill pressure bottom", "fill_pressure_bottom_Pa", "Pa", tube.fill_pressure_bottom},
+                  {"tension", "tension_N_m", "N/m", tube.tension}};
   if (!strength) return list;
   const double allowable = allowable_tension(*strength);
   list.push_back({"allowable tension", "allowable_tension_N_m", "N/m", allowable});
@@ -43,7 +38,7 @@ std::vector<Result> list_results(const Geotube& tube, const std::optional<Tensio
   return list;
 }
 
-std::vector<Result> list_inputs(const GeotubeInput& input) {
+ResultList list_inputs(const GeotubeInput& input) {
   return {{"perimeter", "perimeter_m", "m", input.perimeter},
           {"unit weight", "unit_weight_N_m3", "N/m3", input.unit_weight},
           {"axial stiffness", "stiffness_N_m", "N/m", input.stiffness},
@@ -85,10 +80,7 @@ std::string strength_text(const TensionStrength& strength) {
 }
 
 std::string one_tube_text(const GeotubeReport& report) {
-  Lines lines;
-  for (const Result& result : list_results(report.tubes.front(), report.strength))
-    lines.push_back({result.name, format_number(result.value, digits), result.unit});
-  return format_table(lines, "lrl");
+  return format_table(result_lines(list_results(report.tubes.front(), report.strength)), "lrl");
 }
 
 std::string table_text(const GeotubeReport& report) {
@@ -111,20 +103,13 @@ std::string table_text(const GeotubeReport& report) {
 constexpr const char* results_file = "geotube.csv";
 constexpr int file_digits = 12;
 
-std::string results_csv(const GeotubeReport& report) {
-  std::string header, rows;
+std::string tubes_csv(const GeotubeReport& report) {
+  std::vector<ResultList> rows;
   for (const Geotube& tube : report.tubes) {
-    std::vector<Result> row = list_inputs(report.input);
-    for (Result& result : list_results(tube, report.strength)) row.push_back(std::move(result));
-    std::string names, values;
-    for (const Result& result : row) {
-      names += (names.empty() ? "" : ",") + result.column;
-      values += (values.empty() ? "" : ",") + format_number(result.value, file_digits);
-    }
-    header = names;
-    rows += values + "\n";
+    rows.push_back(list_inputs(report.input));
+    for (Result& result : list_results(tube, report.strength)) rows.back().push_back(std::move(result));
   }
-  return header + "\n" + rows;
+  return results_csv(rows);
 }
 
 std::string outline_csv(const std::vector<OutlinePoint>& outline) {
@@ -172,22 +157,13 @@ std::string report_text(const GeotubeReport& report) {
 }
 
 void check_geotube_directory(const fs::path& directory) {
-  const auto refuse = [&](const std::string& found) {
-    throw SceneError(
-        directory.string(),
-        {{{}, "--output", found, "a new directory or one of an earlier geodrop geotube", ProblemSource::elsewhere}});
-  };
-  if (!fs::exists(directory)) return;
-  if (!fs::is_directory(directory)) refuse("a file");
-  if (!fs::is_empty(directory) && !fs::exists(directory / results_file)) refuse("a directory with other files in it");
+  check_result_directory({directory, "geodrop geotube", results_file});
 }
 
 void write_geotube_files(const fs::path& directory, const GeotubeReport& report, int segments) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw RunError("cannot make the directory " + directory.string() + ": " + error.message());
+  make_result_directory(directory);
   for (const char* old : {results_file, "outline.csv", "outline.svg"}) fs::remove(directory / old);
-  write_file_atomically(directory / results_file, results_csv(report));
+  write_file_atomically(directory / results_file, tubes_csv(report));
   if (report.layout == ReportLayout::one_tube)
     write_file_atomically(directory / "outline.csv", outline_csv(geotube_outline(report.tubes.front(), segments)));
   write_chart(outline_chart(report, segments), directory / "outline.svg");

@@ -18,4 +18,8 @@ CLI::Validator only_if(const Condition& good, const std::string& allowed) {
   return CLI::Validator(complaint, "", "only_if");
 }
 
+inline CLI::Validator positive(const std::string& allowed) {
+  return only_if<double>([](double value) { return value > 0; }, allowed);
+}
+
 }  // namespace geodrop

@@ -1,0 +1,22 @@
+// Numbers with a name and a unit, for the terminal and for a CSV, so that the two cannot fall out of step.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+struct Result {
+  std::string name, column, unit;  ///< for people, for the CSV
+  double value;
+};
+
+using ResultList = std::vector<Result>;
+
+/// Name, value and unit, a line each.
+std::vector<std::vector<std::string>> result_lines(const ResultList& results);
+
+/// A header of columns and a row for each list; all have the columns of the first.
+std::string results_csv(const std::vector<ResultList>& rows);
+
+}  // namespace geodrop
