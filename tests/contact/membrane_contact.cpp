@@ -60,7 +60,7 @@ Points outline_of(const Points& corners, double spacing) {
 State<2> touching(const Membrane<2>& a, const Membrane<2>& b, std::array<double, 2> outward, double friction) {
   State<2> state;
   state.membranes = {a, b};
-  MembraneContact contact{{a.name, b.name}, outward, friction, stiffness, reach, {}};
+  MembraneContact contact{{a.name, b.name}, outward, friction, stiffness, 0, reach, {}};
   contact.slip = {Array<double>(a.nodes(), 0.0), Array<double>(b.nodes(), 0.0)};
   state.membrane_contacts = {contact};
   return state;
@@ -70,7 +70,7 @@ State<2> touching(const Membrane<2>& a, const Membrane<2>& b, std::array<double,
 State<2> folded(const Points& points) {
   State<2> state;
   state.membranes = {membrane_through("bag", points, true)};
-  MembraneContact contact{{"bag", "bag"}, {1, 1}, 0.3, stiffness, reach, {}};
+  MembraneContact contact{{"bag", "bag"}, {1, 1}, 0.3, stiffness, 0, reach, {}};
   contact.slip = {Array<double>(points.size(), 0.0), Array<double>(points.size(), 0.0)};
   state.membrane_contacts = {contact};
   return state;
