@@ -24,6 +24,8 @@ Scene without_places(Scene scene) {
   clear(scene.rigid);
   clear(scene.contacts);
   clear(scene.still_fluids);
+  clear(scene.viscous_boundaries);
+  clear(scene.stages);
   clear(scene.pumps);
   clear(scene.exact);
   clear(scene.probes);
@@ -71,6 +73,7 @@ TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   CHECK(model_of<LinearElasticSpec>(scene, "steel") == LinearElasticSpec{7800, 2e11, 0.3});
   const auto& sand = model_of<MohrCoulombSpec>(scene, "sand");
   CHECK(sand == MohrCoulombSpec{1631, 2.8e6, 0.333, 1e3, 30, 5, 100, std::nullopt});
+  CHECK(model_of<MohrCoulombSpec>(scene, "clay").void_memory);
   CHECK(model_of<MohrCoulombSpec>(scene, "clay").undrained == UndrainedSpec{0.4, 80e6});
 }
 
@@ -88,7 +91,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 86);
+  CHECK(sea.at.line == 87);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -112,6 +115,7 @@ TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
                                               {"lift", disc, TableMotionSpec{{0, 1}, {}, {}, {{0, 0}, {0, 1}}}, {}}});
   CHECK(scene.contacts == std::vector<ContactSpec>{{{"geotextile", "ground"}, 0.3, 0.5, 0.25, {}}});
   CHECK(scene.still_fluids == std::vector<StillFluidSpec>{{"geotextile", "water", 7, {}}});
+  CHECK(scene.viscous_boundaries == std::vector<ViscousBoundarySpec>{{"edge", "wedge", {1, 8}, {3, 8}, 10, {}}});
   CHECK(scene.pumps == std::vector<PumpSpec>{{"sea", 0.1, 0.5, 1.5, {}}});
 }
 
