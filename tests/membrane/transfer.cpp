@@ -110,7 +110,7 @@ TEST_CASE("Membrane nodes blend like particles: a (v + dv) + (1 - a) v', damped"
   SolverSpec solver;
   solver.transfer = Transfer::blend;
   solver.blend_rate = 50;  // a = exp(-0.5)
-  solver.damping_rate = 20;
+  state.damping_rate = 20;
   grid_to_membranes(solver, state, grid, dt);
   const double a = std::exp(-0.5), d = std::exp(-0.2);
   CHECK(state.membranes[0].v[0][0] == doctest::Approx(d * (a * (3 + 0.16) + (1 - a) * 2.1)).epsilon(1e-12));
