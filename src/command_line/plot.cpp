@@ -1,4 +1,5 @@
-// history.csv to one picture with a panel for each kind of column; each geotube probe to one beside the exact tube.
+// history.csv to one picture with a panel for each kind of column, each geotube probe to one beside the exact tube,
+// each section probe to one against the angle of what opens.
 #include "plot.hpp"
 
 #include "plot/chart.hpp"
@@ -106,6 +107,87 @@ std::vector<std::string> geotube_stems(const std::filesystem::path& directory) {
   return stems;
 }
 
+// --- Section forces against the opening of a barge -------------------------------------------------------------------
+
+const std::string rotation_ending = ".rotation_deg";
+
+/// Columns that end so, without the ending.
+std::vector<std::string> names_of(const CsvTable& table, const std::string& ending) {
+  std::vector<std::string> names;
+  for (const std::string& column : table.names)
+    if (column.ends_with(ending)) names.push_back(column.substr(0, column.size() - ending.size()));
+  return names;
+}
+
+double turn_of(const CsvTable& table, const std::string& name) {
+  const std::vector<double>& angle = table.column(name + rotation_ending);
+  const auto [least, most] = std::minmax_element(angle.begin(), angle.end());
+  return *most - *least;
+}
+
+/// Rigid bodies that turn at least almost as far as the one that turns most.
+std::vector<std::string> most_turned(const CsvTable& table) {
+  constexpr double almost = 0.99;
+  std::vector<std::string> names = names_of(table, ".displacement_x_m");  // which bodies of particles do not have
+  std::erase_if(names, [&](const std::string& name) {
+    return std::count(table.names.begin(), table.names.end(), name + rotation_ending) == 0;
+  });
+  double most = 0;
+  for (const std::string& name : names) most = std::max(most, turn_of(table, name));
+  std::erase_if(names, [&](const std::string& name) { return most == 0 || turn_of(table, name) < almost * most; });
+  return names;
+}
+
+/// Rows in which an angle differs from that before or after.
+std::vector<std::size_t> rows_that_turn(const std::vector<double>& angle) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    const bool turned = i > 0 && angle[i] != angle[i - 1], will_turn = i + 1 < angle.size() && angle[i] != angle[i + 1];
+    if (turned || will_turn) rows.push_back(i);
+  }
+  return rows;
+}
+
+/// Of several barges the one that opens the container of the probe: its geotextile is tightest meanwhile.
+std::string barge_of(const CsvTable& table, const std::string& probe, const std::vector<std::string>& rigids) {
+  const std::vector<double>& force = table.column(probe + ".membrane_force_N_m");
+  std::string found = rigids.front();
+  double most = 0;
+  for (const std::string& rigid : rigids)
+    for (const std::size_t i : rows_that_turn(table.column(rigid + rotation_ending)))
+      if (force[i] > most) {
+        found = rigid;
+        most = force[i];
+      }
+  return found;
+}
+
+/// Force of the soil, of the geotextile, and their difference, which the walls bear.
+Chart section_chart(const CsvTable& table, const std::string& probe, const std::string& rigid) {
+  const std::vector<double>& angle = table.column(rigid + rotation_ending);
+  ChartSeries soil{"soil", {}, {}}, geotextile{"geotextile", {}, {}}, difference{"difference", {}, {}};
+  difference.style = SeriesStyle::dashed;
+  for (const std::size_t i : rows_that_turn(angle)) {
+    for (ChartSeries* series : {&soil, &geotextile, &difference}) series->x.push_back(std::abs(angle[i]));
+    soil.y.push_back(table.column(probe + ".soil_force_N_m")[i]);
+    geotextile.y.push_back(table.column(probe + ".membrane_force_N_m")[i]);
+    difference.y.push_back(soil.y.back() - geotextile.y.back());
+  }
+  return {
+      "Section " + probe,
+      {{"Forces across the section", "angle of " + rigid + " [deg]", "force [N/m]", {soil, geotextile, difference}}},
+      1};
+}
+
+/// Probes of which both forces were recorded.
+std::vector<std::string> section_probes(const CsvTable& table) {
+  std::vector<std::string> probes = names_of(table, ".soil_force_N_m");
+  std::erase_if(probes, [&](const std::string& probe) {
+    return std::count(table.names.begin(), table.names.end(), probe + ".membrane_force_N_m") == 0;
+  });
+  return probes;
+}
+
 }  // namespace
 
 void add_plot_options(CLI::App& command, PlotArguments& arguments) {
@@ -122,13 +204,17 @@ int run_plot(const PlotArguments& arguments) {
   const CsvTable table = read_csv(history);
   if (table.rows() == 0) refuse("no row of numbers");
   const Chart chart = history_chart(table, directory.string());
-  if (chart.panels.empty()) refuse("no column that is drawn");
+  const std::vector<std::string> rigids = most_turned(table);
+  const std::vector<std::string> probes = rigids.empty() ? std::vector<std::string>{} : section_probes(table);
+  if (chart.panels.empty() && probes.empty()) refuse("no column that is drawn");
   const auto draw = [&](const Chart& one, const std::string& stem) {
     const std::filesystem::path picture = directory / (stem + "." + arguments.format);
     write_chart(one, picture);
     std::cout << picture.string() << '\n';
   };
-  draw(chart, "history");
+  if (!chart.panels.empty()) draw(chart, "history");
+  for (const std::string& probe : probes)
+    draw(section_chart(table, probe, barge_of(table, probe, rigids)), "section_" + probe);
   for (const std::string& stem : geotube_stems(directory)) draw(geotube_chart(directory, stem), stem);
   return 0;
 }

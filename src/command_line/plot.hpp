@@ -14,8 +14,8 @@ struct PlotArguments {
 
 void add_plot_options(CLI::App& command, PlotArguments& arguments);
 
-/// Writes history.svg (or .png), and geotube_PROBE.svg for each geotube probe, into the directory. Returns the exit
-/// code.
+/// Writes history.svg (or .png), geotube_PROBE.svg for each geotube probe, and section_PROBE.svg for each section probe
+/// if a rigid body turns, into the directory. Returns the exit code.
 int run_plot(const PlotArguments& arguments);
 
 }  // namespace geodrop

@@ -33,9 +33,11 @@ std::optional<std::size_t> frame_number(std::string_view name) {
   return std::nullopt;
 }
 
-/// Profiles of geotube probes and their pictures.
+/// Profiles of geotube probes, and pictures of those and of section probes.
 bool is_profile(std::string_view name) {
-  return name.starts_with("geotube_") && (name.ends_with(".csv") || name.ends_with(".svg") || name.ends_with(".png"));
+  const bool is_picture = name.ends_with(".svg") || name.ends_with(".png");
+  return (name.starts_with("geotube_") && (name.ends_with(".csv") || is_picture)) ||
+         (name.starts_with("section_") && is_picture);
 }
 
 /// Every run begins its log with the program's name, before it writes anything else.

@@ -44,9 +44,13 @@ TEST_CASE("plot draws position, velocity, tension and energy of a run, and follo
   CHECK(geodrop::read_file(run.file("history.svg")) != svg);
 
   // The next run into the directory takes the pictures away: they would show another one.
+  std::ofstream(run.file("section_middle.svg")) << "of a run before";
+  std::ofstream(run.file("section_notes.txt")) << "someone's";
   CHECK(run_program(run.arguments({})).code == 0);
   CHECK_FALSE(std::filesystem::exists(run.file("history.svg")));
   CHECK_FALSE(std::filesystem::exists(run.file("history.png")));
+  CHECK_FALSE(std::filesystem::exists(run.file("section_middle.svg")));
+  CHECK(std::filesystem::exists(run.file("section_notes.txt")));
 }
 
 TEST_CASE("plot draws energies from where they began") {
@@ -56,6 +60,65 @@ TEST_CASE("plot draws energies from where they began") {
   const std::string svg = geodrop::read_file(directory / "history.svg");
   CHECK(contains(svg, "> 4<"));  // the highest tick; gnuplot sets a blank before
   CHECK_FALSE(contains(svg, "1e+06"));
+}
+
+namespace {
+
+/// A barge that turns from t = 1 to 3 s, to 20 degrees; its other half sways by 2 degrees meanwhile.
+const std::string opening =
+    "time_s,fill.rotation_deg,starboard.rotation_deg,starboard.displacement_x_m,port.rotation_deg,port.displacement_x_"
+    "m,"
+    "middle.soil_force_N_m,middle.membrane_force_N_m\n"
+    "0,0,0,0,0,0,77000,0\n"
+    "1,90,0,0,0,0,20000,1000\n"
+    "2,90,2,0,-10,0,30000,4000\n"
+    "3,90,0,0,-20,0,40000,9000\n"
+    "4,90,0,0,-20,0,88000,0\n";
+
+}  // namespace
+
+TEST_CASE("plot draws section forces and their difference against the angle of the barge while it opens") {
+  const geodrop::TemporaryDirectory directory;
+  std::ofstream(directory / "history.csv") << opening;
+  const Outcome outcome = run_program({"plot", directory / ""});
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "section_middle.svg"));
+  const std::string svg = geodrop::read_file(directory / "section_middle.svg");
+  for (const char* text : {"soil", "geotextile", "difference", "angle of port [deg]", "force [N/m]", "> 20<"})
+    CHECK(contains(svg, text));
+  CHECK(count(svg, "<title>gnuplot_plot_") == 3);
+  CHECK(contains(svg, "> 40000<"));  // the highest tick: not the 77000 before, nor the 88000 after
+  for (const char* more : {"> 45000<", "> 50000<"}) CHECK_FALSE(contains(svg, more));  // as the sum of forces
+  CHECK_FALSE(contains(svg, "> 90<"));                                                 // of a body of particles
+  CHECK_FALSE(contains(svg, "-20<"));
+}
+
+TEST_CASE("plot draws each section against the barge that opens its container") {
+  const geodrop::TemporaryDirectory directory;
+  std::ofstream(directory / "history.csv")
+      << "time_s,first.rotation_deg,first.displacement_x_m,second.rotation_deg,second.displacement_x_m,"
+         "one.soil_force_N_m,one.membrane_force_N_m,two.soil_force_N_m,two.membrane_force_N_m\n"
+         "0,0,0,0,0,10,1,0,0\n"
+         "1,40,0,0,0,20,9,0,0\n"
+         "2,40,0,0,0,5,2,9,1\n"
+         "3,40,0,40.1,0,5,2,20,9\n";
+  CHECK(run_program({"plot", directory / ""}).code == 0);
+  CHECK(contains(geodrop::read_file(directory / "section_one.svg"), "angle of first [deg]"));
+  CHECK(contains(geodrop::read_file(directory / "section_two.svg"), "angle of second [deg]"));
+}
+
+TEST_CASE("plot draws no section where nothing opens or a force is missing") {
+  const geodrop::TemporaryDirectory directory;
+  std::ofstream(directory / "history.csv") << "time_s,port.rotation_deg,port.displacement_x_m,middle.soil_force_N_m,"
+                                              "middle.membrane_force_N_m,a.velocity_x_m_s"
+                                              "\n0,5,0,1,1,0\n1,5,0,1,1,1\n";
+  CHECK(run_program({"plot", directory / ""}).out == (directory / "history.svg").string() + "\n");
+  std::ofstream(directory / "history.csv") << "time_s,port.rotation_deg,port.displacement_x_m,middle.soil_force_N_m,a."
+                                              "velocity_x_m_s\n0,5,0,1,0\n1,6,0,1,1\n";
+  const Outcome outcome = run_program({"plot", directory / ""});
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out == (directory / "history.svg").string() + "\n");
 }
 
 TEST_CASE("plot says what is missing") {
