@@ -99,6 +99,27 @@ void list_contact(Row& row, const std::string& name, const RigidContact<Dim>& co
   row.add(name + ".damping_work_J", contact.damping_work);
 }
 
+/// Likewise; the force is what the other membrane does to the first. Within own folds it adds up to nothing.
+void list_contact(Row& row, const std::string& name, const MembraneContact& contact, bool folds) {
+  row.add(name + ".normal_force_N_m", contact.normal_force);
+  if (!folds) row.add_vector(name + ".force", "N_m", contact.force, 2);
+}
+
+/// In the order of the scene; the state keeps the two kinds apart.
+template <int Dim>
+void list_contacts(Row& row, const Scene& scene, const State<Dim>* state) {
+  const MembraneContact no_contact{};
+  std::size_t rigid = 0, membranes = 0;
+  for (const ContactSpec& contact : scene.contacts) {
+    const ContactPair pair = contact_pair(scene, contact);
+    const std::string name = pair.touching + '.' + pair.other;
+    if (pair.kind == ContactPair::Kind::membranes)
+      list_contact(row, name, state ? state->membrane_contacts[membranes++] : no_contact, pair.touching == pair.other);
+    else
+      list_contact(row, name, state ? state->rigid_contacts[rigid++] : RigidContact<Dim>{});
+  }
+}
+
 template <int Dim>
 void list_rigid(Row& row, const std::string& name, const RigidBody<Dim>& rigid) {
   constexpr double degrees = 180 / std::numbers::pi;
@@ -205,13 +226,7 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
   for (const RigidSpec& rigid : scene.rigid)
     if (!std::holds_alternative<std::monostate>(rigid.motion))
       list_rigid(row, rigid.name, state ? find_named(state->rigid, rigid.name) : RigidBody<Dim>{});
-  std::size_t rigid_contacts = 0;
-  for (const ContactSpec& contact : scene.contacts) {
-    const ContactPair pair = contact_pair(scene, contact);
-    if (pair.kind != ContactPair::Kind::membranes)
-      list_contact(row, pair.touching + '.' + pair.other,
-                   state ? state->rigid_contacts[rigid_contacts++] : RigidContact<Dim>{});
-  }
+  list_contacts(row, scene, state);
   if (scene.relaxation.damping != RelaxationSpec::Damping::none)
     list_relaxation(row, state ? state->relaxation : Relaxation{});
   list_totals(row, state ? measure(*state, scene.gravity) : Totals<Dim>{}, earlier);

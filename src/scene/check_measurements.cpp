@@ -21,9 +21,7 @@ std::vector<std::string> column_owners(const Scene& scene) {
     if (!std::holds_alternative<std::monostate>(rigid.motion)) owners.push_back(rigid.name);
   for (const ContactSpec& contact : scene.contacts) {
     const ContactPair pair = contact_pair(scene, contact);
-    const bool rigid =
-        pair.kind == ContactPair::Kind::membrane_on_rigid || pair.kind == ContactPair::Kind::body_on_rigid;
-    if (rigid) owners.push_back(pair.touching + '.' + pair.other);
+    if (pair.kind != ContactPair::Kind::none) owners.push_back(pair.touching + '.' + pair.other);
   }
   for (const ProbeSpec& probe : scene.probes) {
     const std::string name = std::visit([](const auto& p) { return p.name; }, probe.probe);

@@ -196,6 +196,31 @@ TEST_CASE("contacts: sums of their forces, work; rigid bodies that move: their p
   CHECK(row.count("floor.rotation_deg") == 0);
 }
 
+TEST_CASE("contacts of membranes: their force on the first one; own folds: how hard they press") {
+  Scene scene = small_scene();
+  scene.membranes.push_back(scene.membranes[0]);
+  scene.membranes[1].name = "cover";
+  scene.rigid = {{"floor", HalfPlaneShape{{0, 0}, {0, 1}}, {}, {}}};
+  scene.contacts = {
+      {{"cover", "skin"}, 0.3, 1, 1, {}}, {{"skin", "floor"}, 0.3, 1, 1, {}}, {{"skin", "skin"}, 0.3, 1, 1, {}}};
+  State<2> state = small_state();
+  state.membranes.push_back(state.membranes[0]);
+  state.membranes[1].name = "cover";
+  state.rigid_contacts.resize(1);
+  state.rigid_contacts[0].normal_sum = 2;
+  state.membrane_contacts.resize(2);
+  state.membrane_contacts[0].force = {3, 4};
+  state.membrane_contacts[0].normal_force = 5;
+  state.membrane_contacts[1].normal_force = 6;
+  const auto row = row_of(scene, state);
+  CHECK(row.at("cover.skin.normal_force_N_m") == 5);
+  CHECK(row.at("cover.skin.force_x_N_m") == 3);
+  CHECK(row.at("cover.skin.force_y_N_m") == 4);
+  CHECK(row.at("skin.floor.normal_force_N_m") == 2);
+  CHECK(row.at("skin.skin.normal_force_N_m") == 6);
+  CHECK(row.count("skin.skin.force_x_N_m") == 0);
+}
+
 TEST_CASE("energies, mass and momentum") {
   State<2> state = small_state();
   Body<2>& pool = state.bodies[0];
