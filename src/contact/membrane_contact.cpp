@@ -238,18 +238,18 @@ MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spe
   contact.between = spec.between;
   contact.friction = spec.friction;
   contact.reach = finest_spacing(scene.grid);
-  double modulus = std::numeric_limits<double>::infinity(), impedance = modulus;
+  double modulus = std::numeric_limits<double>::infinity(), of_both = 0;
   for (int side = 0; side < 2; ++side) {
     const Membrane<2>& membrane = find_named(state.membranes, spec.between[side]);
     const Material& behind = material_behind(state, membrane);
     const double rho_c = reference_density(behind) * wave_speed(behind);
     modulus = std::min(modulus, rho_c * wave_speed(behind));
-    impedance = std::min(impedance, rho_c);
+    of_both += 1 / rho_c;
     contact.outward[side] = side_of_body(state, membrane);
     contact.slip[side].assign(membrane.nodes(), 0.0);
   }
   contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
-  contact.damping = spec.damping * impedance;
+  contact.damping = spec.damping / of_both;
   return contact;
 }
 

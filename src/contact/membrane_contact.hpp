@@ -15,8 +15,8 @@
 
 namespace geodrop {
 
-/// Contact between two membranes of the state, its springs slack. Stiffness times P / h, damping times rho c, of the
-/// softer body behind.
+/// Contact between two membranes of the state, its springs slack. Stiffness times P / h of the softer body
+/// behind; damping times the impedances rho c of both in series.
 MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state);
 
 /// Adds to Membrane::load of both; `dt` [s] stretches the tangential springs.

@@ -118,7 +118,7 @@ TEST_CASE("A viscous fluid limits the step by h^2 / nu") {
 
 TEST_CASE("Damping shortens the step by sqrt(1 + xi^2) - xi") {
   Case each;
-  each.scene.solver.damping_rate = 3000;
+  each.state.damping_rate = 3000;
   const double dt = 0.002, xi = 3000 * dt / 4;  // xi = beta / (2 omega), omega = 2 / dt
   CHECK(each.dt() == doctest::Approx(dt * (std::sqrt(1 + xi * xi) - xi)).epsilon(1e-14));
 }

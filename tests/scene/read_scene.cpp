@@ -60,7 +60,7 @@ TEST_CASE("numerics as written") {
   CHECK(zone.at.line > 200);
   CHECK(scene.walls.lower == std::vector{WallKind::slip, WallKind::no_slip});  // left, bottom
   CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
-  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.5});
+  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0});
   CHECK(scene.time.end == 2.0);
   CHECK(scene.output == OutputSpec{0.1, 0.01, true});
 }
@@ -129,11 +129,21 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].averaging_segments == 2);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
-  REQUIRE(scene.probes.size() == 4);
+  REQUIRE(scene.probes.size() == 7);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
   CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) == HydrostaticProbeSpec{"still", "sea", {"water", 7}});
   CHECK(std::get<ExactProbeSpec>(scene.probes[2].probe) == ExactProbeSpec{"error", "pad"});
   CHECK(std::get<GeotubeProbeSpec>(scene.probes[3].probe) == GeotubeProbeSpec{"tube", "geotextile", "water", 1.0});
+  CHECK(std::get<SectionProbeSpec>(scene.probes[4].probe) == SectionProbeSpec{"middle", "wedge", 2.0});
+  CHECK(std::get<SpanProbeSpec>(scene.probes[5].probe) == SpanProbeSpec{"under", "mat", {1, 8}, {3, 8}});
+  CHECK(std::get<StressProbeSpec>(scene.probes[6].probe) == StressProbeSpec{"squeeze", "bed"});
+  REQUIRE(scene.stages.size() == 2);
+  CHECK(scene.stages[0].damping_rate == 2);
+  CHECK(scene.stages[0].damping_ramp == 0.01);
+  CHECK(scene.stages[1].from == 0.02);
+  CHECK(scene.stages[1].places == std::vector<std::string>{"bar"});
+  CHECK(scene.stages[1].moves == std::vector<std::string>{"wall"});
+  CHECK(scene.stages[1].removes == std::vector<std::string>{"ram"});
   REQUIRE(scene.exact.size() == 4);
   CHECK(scene.exact[0].body == "pad");
   CHECK(std::get<AxisAlignedMmsSpec>(scene.exact[0].solution) == AxisAlignedMmsSpec{0.05, 1.0});
