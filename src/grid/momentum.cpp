@@ -187,7 +187,6 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
         around[n++] = flat + x + y * grid.layout.stride[1] + (Dim == 3 ? z * grid.layout.stride[Dim - 1] : 0);
   double mass = 0;
   for (const int other : around) mass += grid.sum[other][3];
-  if (mass <= 0) return;
   impulse[3] = 0;
   const Vec4 change = impulse / mass;
   for (const int neighbour : around) {
