@@ -22,7 +22,9 @@ struct Ready {
   Grid<2>& grid = grids[0];
 
   explicit Ready(const std::vector<std::string>& settings = {})
-      : scene(read_scene(source_path(scene_file), settings)), state(build_state<2>(scene)), grids(make_grids<2>(scene)) {
+      : scene(read_scene(source_path(scene_file), settings)),
+        state(build_state<2>(scene)),
+        grids(make_grids<2>(scene)) {
     sort_particles_if_due(state, grids);
   }
   RigidContact<2>& contact() { return find_named_contact("block"); }

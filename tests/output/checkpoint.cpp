@@ -80,7 +80,9 @@ TEST_CASE("the hash sees a change of any value") {
       [](State<2>& s) { s.bodies[1].stress[2][0] = 1; },
       [](State<2>& s) { s.bodies[1].pore_pressure[0] = 1; },
       [](State<2>& s) { s.bodies[1].deviatoric_strain[0] = 1; },
-      [](State<2>& s) { s.bodies[1].gap = {1e-3, 0, 0, 0}; },
+      [](State<2>& s) {
+        s.bodies[1].gap = {1e-3, 0, 0, 0};
+      },
       [](State<2>& s) { std::swap(s.bodies[1].id[0], s.bodies[1].id[1]); },
       [](State<2>& s) { s.bodies[1].initial_x[0][1] = 9; },
       [](State<2>& s) { s.bodies[1].layer[0] = 9; },
