@@ -263,7 +263,7 @@ constexpr Key keys[] = {
     {"contacts", "between", names, "", "", required, reference, "in any order a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds"},
     {"contacts", "friction", real, "", "", required, not_negative, "coefficient of Coulomb friction"},
     {"contacts", "stiffness", real, "", "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body that touches, h the cell. The step is at most h / (c sqrt(2 stiffness))"},
-    {"contacts", "damping", real, "", "", standard("1.0"), share, "of the penalty of a rigid body: pressure per normal velocity over the impedance rho c of the body that touches; 1 absorbs what its own waves bring"},
+    {"contacts", "damping", real, "", "", standard("1.0"), share, "of the penalty: pressure per normal velocity over the impedance rho c of the body that touches (of two membranes: of both bodies in series); 1 absorbs what its own waves bring"},
 
     {"still_fluids", "membrane", name, "", "", required, reference, "the closed membrane that it presses on"},
     {"still_fluids", "fluid", name, "", "", required, reference, "the newtonian material of the fluid"},
