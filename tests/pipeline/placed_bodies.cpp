@@ -122,6 +122,7 @@ TEST_CASE("Tracers in a body that comes later move with it then, others do befor
       "probes=[{name='rider',type='tracer',position=[2.0,2.5]},{name='deep',type='tracer',position=[5.0,0.5]}]";
   Run run = flyer({"stages=[{name='wait',from=0.0},{name='fly',from=0.05,places=['block']}]", probes});
   run.until(0.05);
+  CHECK(run.state.tracers[0].field == waiting);
   CHECK(run.state.tracers[0].x == run.state.tracers[0].initial_x);
   run.until(0.15);
   const double moved = measure(run.state.bodies[block], 0.125).centre[0] - 2;
