@@ -123,6 +123,18 @@ TEST_CASE("A block slides down 20 degrees with g (sin - mu cos), to 0.01 g") {
   }
 }
 
+TEST_CASE("Damping of the contact drags on what slides, by less than 0.02 g") {
+  // Skins that dent each other under way approach and part along their normals; without friction that is all there is.
+  const SceneRun free("tests/scenes/block_on_slab.toml", {tilted(20), "contacts.0.friction=0.0"});
+  const SceneRun damped("tests/scenes/block_on_slab.toml",
+                        {tilted(20), "contacts.0.friction=0.0", "contacts.0.damping=1.0"});
+  const double exact = g * std::sin(radians(20)), drag = exact - slope(damped, "block.velocity_x_m_s", 0.2);
+  MESSAGE("drag ", drag, " m/s2");
+  CHECK(std::abs(slope(free, "block.velocity_x_m_s", 0.2) - exact) < 0.002 * g);
+  CHECK(drag > 0);
+  CHECK(drag < 0.02 * g);
+}
+
 TEST_CASE("At 30 degrees a block with mu = 0.7 sticks") {
   // Settles with damping, without slipping; then left alone. 0.7 is 1.21 times tan 30.
   const SceneRun run("tests/scenes/block_on_slab.toml",
