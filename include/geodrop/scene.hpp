@@ -181,6 +181,11 @@ struct BodySpec {
   bool operator==(const BodySpec&) const = default;
 };
 
+/// How the body of a membrane and what is around it share cells.
+enum class Interface {
+  mixture,  ///< one velocity field: they stick to each other
+  sharp     ///< a field each, cut cells between them; they part along the membrane only (src/interface)
+};
 struct MembraneSpec {
   std::string name;
   std::string body;           ///< lies on this body's outline
@@ -192,6 +197,7 @@ struct MembraneSpec {
   double slack = 0;              ///< rest length / drawn length - 1 [-]
   double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
   int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
+  Interface interface = Interface::mixture;
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };
@@ -343,11 +349,12 @@ struct TracerSpec {
   Point position;  ///< [m]
   bool operator==(const TracerSpec&) const = default;
 };
-/// rms over the particles of a body of pressure minus still-fluid pressure; column pressure_error_rms_Pa.
+/// rms over the particles of a body of pressure minus still-fluid pressure; columns pressure_error_{rms,max,p999}_Pa.
 struct HydrostaticProbeSpec {
   std::string name;
   std::string body;
   HydrostaticSpec still;
+  std::string tips_of{};  ///< membrane near whose lowest and highest node errors count apart; empty: none
   bool operator==(const HydrostaticProbeSpec&) const = default;
 };
 /// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
@@ -396,7 +403,19 @@ struct ProbeSpec {
 };
 
 /// How a column of history.csv becomes one number.
-enum class Reduction { last, min, max, mean, rms, percentile, period, first_time_below, rms_difference, r_squared };
+enum class Reduction {
+  last,
+  min,
+  max,
+  mean,
+  rms,
+  percentile,
+  period,
+  first_time_below,
+  rms_difference,
+  r_squared,
+  slope
+};
 
 /// A named result of the run: `reduce` applied to `column` over rows with from <= t <= to, times `scale`.
 struct ResultSpec {
@@ -405,6 +424,7 @@ struct ResultSpec {
   Reduction reduce = Reduction::last;
   double from = 0;                                      ///< [s]
   double to = std::numeric_limits<double>::infinity();  ///< [s]; infinite: to the end of the run
+  std::string after, before;                            ///< results, times that narrow the window; empty: none
   double scale = 1;
   double percentile = 0;       ///< [0..100], for Reduction::percentile
   double level = 0;            ///< for Reduction::first_time_below
@@ -458,6 +478,8 @@ const MaterialSpec* find_material(const Scene& scene, const std::string& name);
 const BodySpec* find_body(const Scene& scene, const std::string& name);
 /// The exact solution that a body follows; null if it follows none.
 const ExactSpec* find_exact(const Scene& scene, const std::string& body);
+
+bool has_sharp_interface(const Scene& scene);
 
 /// What the two names of a contact stand for.
 struct ContactPair {

@@ -4,6 +4,8 @@
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
 
+#include <algorithm>
+
 namespace geodrop {
 namespace {
 
@@ -54,6 +56,34 @@ void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std
                  " segments: the mean is over 2 averaging_segments + 1 of them");
 }
 
+/// Both sides of a sharp interface have pressures of cells, and cells are knot spans of one size.
+void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies")) return;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    report.add(key + ".interface", "\"sharp\" " + found, allowed);
+  };
+  const auto sharp = [&](const std::string& body) {
+    return std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& other) {
+      return other.body == body && other.interface == Interface::sharp;
+    });
+  };
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
+    refuse("on a grid whose cells are not knot spans of one size", "sharp with basis = \"bspline2\" and no zones");
+  else if (scene.solver.transfer == Transfer::musl)
+    refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
+  else if (!membrane.closed)
+    refuse("on an open membrane", "sharp with closed = true");
+  else if (sharp(membrane.body) > 1)
+    refuse("on a second membrane of \"" + membrane.body + '"', "one sharp membrane for each body");
+  else if (body && body->pressure != PressureSupport::cell)
+    refuse("around a body whose pressure is not that of cells", "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
+  else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
+             return sharp(other.name) == 0 && other.pressure == PressureSupport::cell;
+           }))
+    refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
+}
+
 }  // namespace
 
 void check_membranes(const Scene& scene, Report& report) {
@@ -67,6 +97,7 @@ void check_membranes(const Scene& scene, Report& report) {
     if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
     check_averaging(scene, membrane, key, report);
+    if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }
 }
 
