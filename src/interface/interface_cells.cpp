@@ -249,6 +249,25 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
 }
 
 template <>
+void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt) {
+  constexpr double evening = 0.1;  // share of the wave speed
+  for (Body<2>& body : state.bodies) {
+    const auto* fluid = std::get_if<Newtonian>(&body.material);
+    if (!fluid || body.field == waiting || body.pressure != PressureSupport::cell) continue;
+    const Grid<2>& grid = grids[body.field];
+    const double share = evening * wave_speed(body.material) * dt * grid.layout.inv_h;
+    const auto n = static_cast<std::ptrdiff_t>(body.size());
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t p = 0; p < n; ++p) {
+      const int cell = grid.layout.index({grid.layout.base(0, body.x[0][p]), grid.layout.base(1, body.x[1][p])});
+      if (!(grid.cell_flags[cell] & cell_filled)) continue;
+      const double mean = 1 / (1 + grid.cell_pressure[cell] / fluid->bulk_modulus);
+      body.J[p] += share * (mean - body.J[p]);
+    }
+  }
+}
+
+template <>
 void add_interface_force(Grids<2>& grids) {
   for (Grid<2>& grid : grids) {
     const Slope whole = whole_cell(grid.layout);
@@ -280,6 +299,8 @@ template <>
 void cut_interface_cells(const State<3>&, Grids<3>&) {}
 template <>
 void share_interface_pressure(const State<3>&, Grids<3>&) {}
+template <>
+void even_out_volumes(State<3>&, const Grids<3>&, double) {}
 template <>
 void add_interface_force(Grids<3>&) {}
 template <>

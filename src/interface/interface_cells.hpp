@@ -27,6 +27,12 @@ void cut_interface_cells(const State<Dim>& state, Grids<Dim>& grids);
 template <int Dim>
 void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids);
 
+/// Volume ratios of the particles of fluids near their cell's mean, at a share of the wave speed; the volume of each
+/// cell stays. No force does that: cells know means only, and what strays from them is carried along and turns up
+/// elsewhere as noise of the pressure.
+template <int Dim>
+void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt);
+
 /// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N].
 template <int Dim>
 void add_interface_force(Grids<Dim>& grids);

@@ -95,6 +95,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(sharp,         "cut_cells",         "membrane nodes -> what both sides have of cells",           [](S& s, Fields& f, const C&) { cut_interface_cells(s, f); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { if (g.cell_volume.empty()) return; sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
   add(sharp,         "interface_pressure", "cut cells, volume -> pressure of their parts",             [](S& s, Fields& f, const C&) { share_interface_pressure(s, f); });
+  add(sharp,         "even_out_volumes",  "cell pressure -> volume ratio of fluid particles",          [](S& s, Fields& f, const C& c) { even_out_volumes(s, f, c.dt); });
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { if (!g.node_volume.empty()) average_nodal_pressure(s, g); });
   add(enclosed,      "enclosed_cells",    "volume, membrane nodes -> cut cells, their pressure",       [](S& s, G& g, const C&) { update_enclosed_cells(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
