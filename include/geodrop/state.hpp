@@ -82,6 +82,8 @@ struct Membrane {
   Array<double> tension;                ///< segments, that acts: averaged twice [N/m]
   double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
   std::array<Array<double>, Dim> load;  ///< nodes: of contacts, of the weight inside [N]; else empty
+  std::string bed;                      ///< body around that a sharp membrane may lie on and part from; empty: none
+  double bed_friction = 0;              ///< mu on it [-]
   Array<double> water_pressure;         ///< segments: of what is around on a sharp interface [Pa]; else empty
 
   std::size_t nodes() const { return mass.size(); }

@@ -10,6 +10,9 @@
 //   S p = E v / dt,  S = E M^-1 E^T
 //
 // stays symmetric, and all impulses come in pairs. Conjugate gradients, from the pressures of the last step.
+//
+// On the bed, if the membrane names one, p_r is at least the pressure u_r of the water in its pores: with less the
+// membrane parts from it, and water follows. Friction along the membrane is at most mu (p_r - u_r).
 #pragma once
 
 #include <geodrop/grid.hpp>

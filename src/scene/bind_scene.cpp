@@ -160,6 +160,8 @@ MembraneSpec bind_membrane(const Fields& f, SourceRef at) {
   membrane.segments_per_cell = f.real("segments_per_cell");
   membrane.averaging_segments = f.integer("averaging_segments");
   membrane.interface = f.choice<Interface>("interface");
+  membrane.bed = f.text("bed");
+  membrane.bed_friction = f.real("bed_friction");
   membrane.at = at;
   return membrane;
 }

@@ -67,6 +67,10 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
       return other.body == body && other.interface == Interface::sharp;
     });
   };
+  if (!membrane.bed.empty())
+    check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
+  else if (membrane.bed_friction > 0)
+    report.add(key + ".bed_friction", to_text(membrane.bed_friction) + " without a bed", "bed_friction with bed only");
   const BodySpec* body = find_body(scene, membrane.body);
   if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
     refuse("on a grid whose cells are not knot spans of one size", "sharp with basis = \"bspline2\" and no zones");
