@@ -16,6 +16,7 @@
 #include "../kernels/transfer_stages.hpp"
 #include "../interface/interface_cells.hpp"
 #include "../interface/interface_constraint.hpp"
+#include "../interface/keep_sides.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
 #include "pumps.hpp"
@@ -117,6 +118,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(enclosed,      "enclosed_rate",     "nodal velocity -> volume rate of enclosed cells",           [](S& s, G& g, const C& c) { update_enclosed_rates(s, g, c.dt); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, Fields& f, const C& c) { grid_to_particles(solver, s, f, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
+  add(sharp,         "keep_sides",        "membrane nodes -> positions of particles on the wrong side", [](S& s, Fields& f, const C&) { keep_sides(s, f); });
   add(viscous,       "grid_to_boundaries", "nodal velocity -> points of viscous boundaries",           [](S& s, G& g, const C& c) { grid_to_boundaries(s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
   add(rigid_moves,   "move_rigid_bodies", "time -> pose and rates of rigid bodies",                    [moved](S& s, Fields&, const C& c) { move_rigid_bodies(moved, c.dt, s); });
