@@ -198,7 +198,7 @@ struct MembraneSpec {
   double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
   int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
   Interface interface = Interface::mixture;
-  std::string bed;          ///< body that a sharp membrane may lie on and part from; empty: none
+  std::string bed;          ///< body around that a sharp membrane rubs on; empty: none
   double bed_friction = 0;  ///< on it [-]
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;

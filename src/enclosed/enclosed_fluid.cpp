@@ -7,10 +7,10 @@
 #include "../grid/nearby_cells.hpp"
 #include "../kernels/kernels.hpp"
 #include "../kernels/slabs.hpp"
+#include "../membrane/cut_cells.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
 #include "../membrane/polygon.hpp"
-#include "../membrane/cut_cells.hpp"
 
 namespace geodrop {
 namespace {

@@ -19,15 +19,15 @@ using Slope = std::array<std::array<double, 2>, 9>;
 /// A part stands by itself if it is this share of its cell, and particles fill this share.
 constexpr double least_part = 0.5, least_filled = 0.3;
 
-/// Nodes at walls are mirrors of others: an outline stays away from them.
+/// Cells at walls are half cells with mirrored nodes: an outline stays out of them.
 void check_walls(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells) {
   constexpr int margin = 1;  // of the box around the outline
   for (int a = 0; a < 2; ++a) {
     const int first = cells.first[a] + margin - GridLayout<2>::pad;
     const int last = first + cells.count[a] - 2 * margin - 1;
-    if (first >= 2 && last <= layout.cells[a] - 2) continue;
+    if (first >= 1 && last <= layout.cells[a] - 1) continue;
     std::ostringstream text;
-    text << "membrane '" << membrane.name << "' came within two cells of a wall of the domain (axis " << a
+    text << "membrane '" << membrane.name << "' came within half a cell of a wall of the domain (axis " << a
          << "), where a sharp interface has no room";
     throw RunError(text.str());
   }
@@ -37,8 +37,7 @@ Slope whole_cell(const GridLayout<2>& layout) {
   constexpr double value[] = {1.0 / 6, 2.0 / 3, 1.0 / 6}, slope[] = {-0.5, 0, 0.5};
   Slope whole;
   for (int y = 0; y < 3; ++y)
-    for (int x = 0; x < 3; ++x)
-      whole[x + 3 * y] = {layout.h * slope[x] * value[y], layout.h * value[x] * slope[y]};
+    for (int x = 0; x < 3; ++x) whole[x + 3 * y] = {layout.h * slope[x] * value[y], layout.h * value[x] * slope[y]};
   return whole;
 }
 
@@ -140,9 +139,8 @@ void sort_by_host(Grid<2>& grid, PartList& parts) {
   const std::size_t guests = grid.part_cells.size();
   for (std::size_t n = 0; n < guests; ++n)
     if (const int host = grid.part_cells[n].host; host >= 0) parts.at(host, whole).host = host;
-  std::sort(grid.part_cells.begin(), grid.part_cells.end(), [](const PartCell& a, const PartCell& b) {
-    return std::pair(a.host, a.flat) < std::pair(b.host, b.flat);
-  });
+  std::sort(grid.part_cells.begin(), grid.part_cells.end(),
+            [](const PartCell& a, const PartCell& b) { return std::pair(a.host, a.flat) < std::pair(b.host, b.flat); });
 }
 
 /// f(first, last) for the parts that share one pressure.

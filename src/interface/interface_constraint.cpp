@@ -6,7 +6,6 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
-#include <limits>
 
 #include "../grid/momentum.hpp"
 #include "interface_rows.hpp"
@@ -20,7 +19,7 @@ struct Contact {
   Membrane<2>* membrane;
   Stretch stretch;
   bool on_bed = false;
-  double least_pressure = -std::numeric_limits<double>::infinity();  ///< below it the membrane parts from the bed [Pa]
+  double pore_pressure = 0;  ///< of the bed [Pa]
 };
 
 /// Mean over a stretch of the pressure that its segments had.
@@ -64,7 +63,7 @@ void look_for_bed(const Grid<2>& around, const CutCells& cells, const BedCells& 
     }
   });
   contact.on_bed = soil > 0.5 * all;
-  if (contact.on_bed) contact.least_pressure = pore / soil;
+  if (contact.on_bed) contact.pore_pressure = pore / soil;
 }
 
 std::vector<Contact> build_rows(State<2>& state, const Grids<2>& grids, Rows& rows) {
@@ -84,55 +83,25 @@ std::vector<Contact> build_rows(State<2>& state, const Grids<2>& grids, Rows& ro
   return contacts;
 }
 
-/// S with the rows and columns of held pressures replaced by those of the identity.
-SparseRows without(const std::vector<bool>& held, SparseRows S) {
-  for (int r = 0; r < S.outerSize(); ++r)
-    for (SparseRows::InnerIterator entry(S, r); entry; ++entry)
-      if (held[entry.row()] || held[entry.col()]) entry.valueRef() = entry.row() == entry.col() ? 1 : 0;
-  return S;
-}
-
-/// Pressures p >= least that stop the gaps from closing; where p = least they may open. Active sets of rows that are
-/// held at their least pressure, in turn with conjugate gradients for the others.
-Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const std::vector<Contact>& contacts,
-                      Eigen::VectorXd pressure) {
+/// Pressures that stop the gaps from opening and closing.
+Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
   constexpr double tolerance = 1e-8;  // of the gaps' rate
-  constexpr int most_iterations = 1000, most_sets = 10;
-  std::vector<bool> held(contacts.size(), false);
-  for (int set = 0; set < most_sets; ++set) {
-    const bool some = std::find(held.begin(), held.end(), true) != held.end();
-    Eigen::VectorXd fixed = Eigen::VectorXd::Zero(pressure.size());
-    for (std::size_t r = 0; r < held.size(); ++r)
-      if (held[r]) fixed[r] = contacts[r].least_pressure;
-    const SparseRows system = some ? without(held, S) : S;
-    Eigen::VectorXd load = some ? Eigen::VectorXd(gap_rate - S * fixed) : gap_rate;
-    for (std::size_t r = 0; r < held.size(); ++r)
-      if (held[r]) load[r] = fixed[r];
-    Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper> solver(system);
-    solver.setTolerance(tolerance);
-    solver.setMaxIterations(most_iterations);
-    pressure = solver.solveWithGuess(load, pressure);
-    const Eigen::VectorXd closing = some ? Eigen::VectorXd(gap_rate - S * pressure) : Eigen::VectorXd();
-    bool changed = false;
-    for (std::size_t r = 0; r < held.size(); ++r) {
-      const bool hold = held[r] ? closing[r] <= 0 : pressure[r] < contacts[r].least_pressure;
-      changed = changed || hold != held[r];
-      held[r] = hold;
-    }
-    if (!changed) break;
-  }
-  return pressure;
+  constexpr int most_iterations = 1000;
+  Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper> solver(S);
+  solver.setTolerance(tolerance);
+  solver.setMaxIterations(most_iterations);
+  return solver.solveWithGuess(gap_rate, guess);
 }
 
-/// Coulomb friction on the bed: tractions along the membrane that stop it, at most mu times the pressure beyond the
-/// least one. Projected Gauss-Seidel.
+/// Coulomb friction on the bed: tractions along the membrane that stop it, at most mu times the effective pressure.
+/// Projected Gauss-Seidel.
 void rub_on_bed(const std::vector<Contact>& contacts, const Eigen::VectorXd& pressure, double dt, Grids<2>& grids) {
   constexpr int sweeps = 30;
   Rows rows(grids);
   std::vector<double> most;
   for (std::size_t r = 0; r < contacts.size(); ++r) {
     const Contact& contact = contacts[r];
-    const double bound = contact.on_bed ? contact.membrane->bed_friction * (pressure[r] - contact.least_pressure) : 0;
+    const double bound = contact.on_bed ? contact.membrane->bed_friction * (pressure[r] - contact.pore_pressure) : 0;
     if (bound <= 0) continue;
     const Membrane<2>& membrane = *contact.membrane;
     const CutCells& cells = grids[membrane.field].outline;
@@ -176,7 +145,7 @@ void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
   Eigen::VectorXd guess(contacts.size());
   for (std::size_t r = 0; r < contacts.size(); ++r)
     guess[r] = last_pressure(contacts[r], grids[contacts[r].membrane->field].outline);
-  const Eigen::VectorXd pressure = solve(E * E.transpose(), E * rows.scaled_velocities() / dt, contacts, guess);
+  const Eigen::VectorXd pressure = solve(E * E.transpose(), E * rows.scaled_velocities() / dt, guess);
   apply_pressures(rows, E, pressure, dt, grids);
   rub_on_bed(contacts, pressure, dt, grids);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);

@@ -51,6 +51,23 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
   return stretches;
 }
 
+int Columns::of(int field, int node) {
+  int& number = number_[field][node];
+  if (number >= 0) return number;
+  number = 2 * static_cast<int>(places_.size());
+  const GridLayout<2>& layout = grids_[field].layout;
+  Place place{field, node, std::sqrt(grids_[field].sum[node][3]), {false, false}};
+  const int at[] = {node % layout.stride[1] - layout.pad, node / layout.stride[1] - layout.pad};
+  for (int a = 0; a < 2; ++a) {
+    if (at[a] != 0 && at[a] != layout.cells[a]) continue;
+    place.fixed[a] = true;
+    const WallKind wall = at[a] == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
+    if (wall == WallKind::no_slip) place.fixed[1 - a] = true;
+  }
+  places_.push_back(place);
+  return number;
+}
+
 std::vector<NodeVector> line_integrals(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
                                        const Stretch& stretch, Direction direction) {
   std::vector<NodeVector> out;
@@ -89,9 +106,11 @@ bool Rows::add_field(int field, double sign, const std::vector<NodeVector>& vect
 
 void Rows::put(int field, int node, double share, const std::array<double, 2>& value) {
   const int column = columns_.of(field, node);
-  const double scale = share / columns_.places()[column / 2].root_mass;
+  const Columns::Place& place = columns_.places()[column / 2];
+  const double scale = share / place.root_mass;
   value_.resize(2 * columns_.places().size(), 0.0);
   for (int a = 0; a < 2; ++a) {
+    if (place.fixed[a]) continue;
     if (value_[column + a] == 0) touched_.push_back(column + a);
     value_[column + a] += scale * value[a];
   }

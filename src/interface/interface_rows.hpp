@@ -49,21 +49,15 @@ class Columns {
  public:
   struct Place {
     int field, node;
-    double root_mass;  ///< [kg^1/2]
+    double root_mass;           ///< [kg^1/2]
+    std::array<bool, 2> fixed;  ///< components that a wall holds
   };
 
   explicit Columns(const Grids<2>& grids)
       : grids_(grids), number_(grids.size(), std::vector<int>(grids.front().layout.nodes(), -1)) {}
 
   /// Number of the first of both columns of a node that has mass.
-  int of(int field, int node) {
-    int& number = number_[field][node];
-    if (number < 0) {
-      number = 2 * static_cast<int>(places_.size());
-      places_.push_back({field, node, std::sqrt(grids_[field].sum[node][3])});
-    }
-    return number;
-  }
+  int of(int field, int node);
   const std::vector<Place>& places() const { return places_; }
 
  private:
@@ -77,8 +71,8 @@ class Rows {
  public:
   explicit Rows(const Grids<2>& grids) : grids_(grids), columns_(grids) {}
 
-  /// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it; none,
-  /// and false, if one of the fields has no mass there.
+  /// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it;
+  /// none, and false, if one of the fields has no mass there.
   bool add(int field, int other, const std::vector<NodeVector>& vectors);
 
   int count() const { return static_cast<int>(row_begin_.size()) - 1; }

@@ -58,7 +58,8 @@ void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std
 
 /// Both sides of a sharp interface have pressures of cells, and cells are knot spans of one size.
 void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
-  if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies")) return;
+  if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
+    return;
   const auto refuse = [&](const std::string& found, const std::string& allowed) {
     report.add(key + ".interface", "\"sharp\" " + found, allowed);
   };
@@ -81,7 +82,8 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
   else if (sharp(membrane.body) > 1)
     refuse("on a second membrane of \"" + membrane.body + '"', "one sharp membrane for each body");
   else if (body && body->pressure != PressureSupport::cell)
-    refuse("around a body whose pressure is not that of cells", "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
+    refuse("around a body whose pressure is not that of cells",
+           "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
   else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
              return sharp(other.name) == 0 && other.pressure == PressureSupport::cell;
            }))

@@ -132,7 +132,8 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
   REQUIRE(scene.probes.size() == 7);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
-  CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) == HydrostaticProbeSpec{"still", "sea", {"water", 7}, "geotextile"});
+  CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) ==
+        HydrostaticProbeSpec{"still", "sea", {"water", 7}, "geotextile"});
   CHECK(std::get<ExactProbeSpec>(scene.probes[2].probe) == ExactProbeSpec{"error", "pad"});
   CHECK(std::get<GeotubeProbeSpec>(scene.probes[3].probe) == GeotubeProbeSpec{"tube", "geotextile", "water", 1.0});
   CHECK(std::get<SectionProbeSpec>(scene.probes[4].probe) == SectionProbeSpec{"middle", "wedge", 2.0});
@@ -153,7 +154,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(std::get<BarFirstModeSpec>(scene.exact[3].solution) == BarFirstModeSpec{0.1, 1, 25.0});
   REQUIRE(scene.results.size() == 11);
   using enum Reduction;
-  const std::vector<Reduction> kinds{last,           min,      max, mean, rms, percentile, period, first_time_below,
+  const std::vector<Reduction> kinds{last,           min,       max,  mean, rms, percentile, period, first_time_below,
                                      rms_difference, r_squared, slope};
   for (std::size_t i = 0; i < kinds.size(); ++i) CHECK(scene.results[i].reduce == kinds[i]);
   CHECK(scene.results[0].from == 0.5);
