@@ -4,15 +4,11 @@
 #include <filesystem>
 
 #include "plot/csv_table.hpp"
-#include "support/program.hpp"
+#include "support/calculator.hpp"
 
 using namespace geodrop::test;
 
 namespace {
-
-using Words = std::vector<std::string>;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The worked example of CUR 217, in water.
 Outcome example(const Words& more) {
@@ -30,30 +26,6 @@ Outcome in_air(const Words& more) {
 }
 
 const Words barge{"--hinge-radius", "2.8", "--wall-slope", "35", "--friction", "0.3"};
-
-Words operator+(Words a, const Words& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-/// The words of the line that begins so, joined by single spaces; empty if there is none.
-std::string line(const std::string& text, const std::string& beginning) {
-  std::istringstream lines(text);
-  for (std::string found; std::getline(lines, found);) {
-    std::istringstream words(found);
-    std::string joined;
-    for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
-    if (joined.starts_with(beginning)) return joined;
-  }
-  return {};
-}
-
-void check_refused(const Outcome& outcome, const std::string& says) {
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(contains(outcome.err, says));
-}
 
 }  // namespace
 
