@@ -7,27 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "../membrane/bounds.hpp"
 #include "../membrane/polygon.hpp"
 #include "node_length.hpp"
 
 namespace geodrop {
 namespace {
-
-struct Box {
-  Vec<2> lower, upper;
-  bool holds(const Vec<2>& x) const { return (x.array() >= lower.array() && x.array() <= upper.array()).all(); }
-};
-
-/// Around all nodes, and `margin` [m] more: a flat skin has no thickness of its own.
-Box bounds(const Membrane<2>& membrane, double margin) {
-  Box box;
-  for (int a = 0; a < 2; ++a) {
-    const auto [low, high] = std::minmax_element(membrane.x[a].begin(), membrane.x[a].end());
-    box.lower[a] = *low - margin;
-    box.upper[a] = *high + margin;
-  }
-  return box;
-}
 
 /// Outward unit normal of a segment; zero if it has no length.
 Vec<2> segment_normal(const Membrane<2>& membrane, std::size_t s, double outward) {
@@ -51,7 +36,7 @@ std::vector<Vec<2>> node_normals(const Membrane<2>& membrane, double outward) {
 /// Segments of a membrane in square bins, to find those near a point.
 class SegmentBins {
  public:
-  SegmentBins(const Membrane<2>& membrane, const Box& region, double reach) : lower_(region.lower) {
+  SegmentBins(const Membrane<2>& membrane, const Box<2>& region, double reach) : lower_(region.lower) {
     double longest = 0;
     std::vector<std::pair<std::size_t, Vec<2>>> middles;
     for (std::size_t s = 0; s < membrane.segments(); ++s) {
@@ -182,13 +167,13 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
 /// Sum of the forces on the slave.
 Vec<2> run_pass(const Pass& pass, MembraneContact& contact, double dt) {
   Vec<2> sum = Vec<2>::Zero();
-  const Box nearby = bounds(pass.slave, contact.reach);
+  const Box<2> nearby = bounds(pass.slave, contact.reach);  // a flat skin has no thickness of its own
   const SegmentBins bins(pass.master, nearby, contact.reach);
   if (bins.empty()) {
     std::fill(pass.slip.begin(), pass.slip.end(), 0.0);
     return sum;
   }
-  const Box around = bounds(pass.master, contact.reach);
+  const Box<2> around = bounds(pass.master, contact.reach);
   const auto slave_normals = node_normals(pass.slave, pass.slave_outward);
   const auto master_normals = node_normals(pass.master, pass.master_outward);
   for (std::size_t k = 0; k < pass.slave.nodes(); ++k) {

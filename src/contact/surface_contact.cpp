@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "../grid/point_support.hpp"
+#include "../membrane/bounds.hpp"
 #include "node_length.hpp"
 
 namespace geodrop {
@@ -72,14 +73,9 @@ Vec<2> push(const ContactPoint& point, const RigidSurface::Gap& gap, const Vec<2
 }
 
 void add_membrane_contact(const RigidSurface& surface, double dt, Membrane<2>& membrane, RigidContact<2>& contact) {
-  Vec<2> lower, upper;
-  for (int a = 0; a < 2; ++a) {
-    const auto [least, most] = std::minmax_element(membrane.x[a].begin(), membrane.x[a].end());
-    lower[a] = *least;
-    upper[a] = *most;
-  }
+  const Box<2> box = bounds(membrane, 0);
   std::vector<ContactPoint> points;
-  if (surface.may_touch(lower, upper, 0))
+  if (surface.may_touch(box.lower, box.upper, 0))
     for (std::uint32_t k = 0; k < membrane.nodes(); ++k)
       points.push_back({k, vector_at(membrane.x, k), vector_at(membrane.v, k), node_length(membrane, k), 0});
   const std::vector<Vec<2>> forces = contact_forces(surface, points, dt, contact);
