@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "../membrane/bounds.hpp"
+#include "../membrane/fluid_load.hpp"
 #include "../membrane/polygon.hpp"
 #include "node_length.hpp"
 
@@ -194,7 +195,7 @@ Vec<2> run_pass(const Pass& pass, MembraneContact& contact, double dt) {
 /// 1 if the body lies on the left of its membrane. Of an open one, that of most of its particles as seen from the
 /// nearest nodes.
 double side_of_body(const State<2>& state, const Membrane<2>& membrane) {
-  if (membrane.closed) return signed_area(membrane.x[0], membrane.x[1]) > 0 ? 1 : -1;
+  if (membrane.closed) return sense_of(membrane);
   const Body<2>& body = find_named(state.bodies, membrane.body);
   std::ptrdiff_t left = 0;
   for (std::size_t p = 0; p < body.size(); ++p) {
