@@ -1,7 +1,12 @@
-// The nodes that a point sees, wherever it is: membrane nodes, tracers, particles that something pushes.
+// The nodes that a point sees, wherever it is: membrane nodes, tracers, points of boundaries, particles that something
+// pushes.
 #pragma once
 
+#include <geodrop/error.hpp>
 #include <geodrop/grid.hpp>
+
+#include <sstream>
+#include <string>
 
 #include "../kernels/bases.hpp"
 
@@ -49,5 +54,33 @@ struct PointSupport {
         }
   }
 };
+
+/// Of a nodal field, at the point.
+template <int Dim>
+Vec4 interpolate(const GridLayout<Dim>& layout, const PointSupport<Dim>& support, const Array<Vec4>& field) {
+  Vec4 sum{};
+  support.for_each_node(layout, [&](int node, double weight) { sum += weight * field[node]; });
+  return sum;
+}
+
+/// Entry k of positions that have an array for each coordinate.
+template <std::size_t Dim>
+std::array<double, Dim> place_at(const std::array<Array<double>, Dim>& x, std::size_t k) {
+  std::array<double, Dim> place;
+  for (std::size_t a = 0; a < Dim; ++a) place[a] = x[a][k];
+  return place;
+}
+
+/// What moves with the grid must stay on it; throws RunError with its `kind` and `name`.
+template <int Dim>
+void check_on_grid(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, const char* kind,
+                   const std::string& name) {
+  for (int a = 0; a < Dim; ++a) {
+    if (x[a] >= layout.lower[a] && x[a] <= layout.upper[a]) continue;
+    std::ostringstream text;
+    text << kind << " '" << name << "' left the domain or is not finite (coordinate " << a << " = " << x[a] << ")";
+    throw RunError(text.str());
+  }
+}
 
 }  // namespace geodrop
