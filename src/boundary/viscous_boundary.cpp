@@ -76,16 +76,16 @@ template <>
 ViscousBoundary<2> make_viscous_boundary(const Scene& scene, const ViscousBoundarySpec& spec, const State<2>& state) {
   const BodySpec& body = *find_body(scene, spec.body);
   const Material& ground = find_named(state.bodies, spec.body).material;
-  const double cell = finest_spacing(scene.grid), density = reference_density(ground), c_p = wave_speed(ground);
+  const double cell = finest_spacing(scene.grid);
   const Point normal = outward_normal(body.shape, spec.from, spec.to, cell / 4).value();
   ViscousBoundary<2> boundary;
   boundary.name = spec.name;
   boundary.field = find_named(state.bodies, spec.body).field;
   boundary.half_size = 0.5 / body.particles_per_cell_axis;
   boundary.normal = {normal[0], normal[1]};
-  boundary.impedance_p = density * c_p;
-  boundary.impedance_s = density * shear_wave_speed(ground);
-  boundary.spring = density * c_p * c_p / spec.spring_depth;
+  boundary.impedance_p = impedance(ground);
+  boundary.impedance_s = reference_density(ground) * shear_wave_speed(ground);
+  boundary.spring = impedance(ground) * wave_speed(ground) / spec.spring_depth;
   boundary.inwards = boundary.half_size * cell_across(scene, spec.from, boundary.normal);
   place_points(spec.from, spec.to, cell, boundary);
   for (const double y : boundary.x[1]) {

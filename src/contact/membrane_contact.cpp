@@ -228,9 +228,8 @@ MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spe
   for (int side = 0; side < 2; ++side) {
     const Membrane<2>& membrane = find_named(state.membranes, spec.between[side]);
     const Material& behind = material_behind(state, membrane);
-    const double rho_c = reference_density(behind) * wave_speed(behind);
-    modulus = std::min(modulus, rho_c * wave_speed(behind));
-    of_both += 1 / rho_c;
+    modulus = std::min(modulus, impedance(behind) * wave_speed(behind));
+    of_both += 1 / impedance(behind);
     contact.outward[side] = side_of_body(state, membrane);
     contact.slip[side].assign(membrane.nodes(), 0.0);
   }

@@ -177,9 +177,9 @@ RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, 
   contact.bare = pair.kind == ContactPair::Kind::body_on_rigid;
   contact.friction = spec.friction;
   const Body<2>& body = touching_body(state, contact);
-  const double impedance = reference_density(body.material) * wave_speed(body.material);
-  contact.stiffness = spec.stiffness * impedance * wave_speed(body.material) / finest_spacing(scene.grid);
-  contact.damping = spec.damping * impedance;
+  const Material& material = body.material;
+  contact.stiffness = spec.stiffness * impedance(material) * wave_speed(material) / finest_spacing(scene.grid);
+  contact.damping = spec.damping * impedance(material);
   if (contact.bare) contact.reach = particle_reach(scene, body);
   return contact;
 }
