@@ -11,6 +11,7 @@
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/polygon.hpp"
 #include "node_length.hpp"
+#include "penalty.hpp"
 
 namespace geodrop {
 namespace {
@@ -151,17 +152,14 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
   const Vec<2> along(-normal[1], normal[0]);
   const Vec<2> v = vector_at(pass.slave.v, k) - (1 - foot.share) * vector_at(pass.master.v, foot.segment) -
                    foot.share * vector_at(pass.master.v, end);
-  const double length = 0.5 * node_length(pass.slave, k), spring = contact.stiffness * length;
-  const double push = std::max(0.0, -spring * gap - contact.damping * length * normal.dot(v));
-  double& slip = pass.slip[k];
-  slip += dt * along.dot(v);
-  const double most = contact.friction * push / spring;
-  slip = std::clamp(slip, -most, most);
-  const Vec<2> force = push * normal - spring * slip * along;
+  const PenaltyForce push = penalty_force(penalty_of(contact, 0.5 * node_length(pass.slave, k)), -gap, normal.dot(v),
+                                          pass.slip[k] + dt * along.dot(v));
+  pass.slip[k] = push.stretch;
+  const Vec<2> force = push.normal * normal + push.friction * along;
   add_load(pass.slave, k, force);
   add_load(pass.master, foot.segment, -(1 - foot.share) * force);
   add_load(pass.master, end, -foot.share * force);
-  pressed += push;
+  pressed += push.normal;
   return force;
 }
 

@@ -10,6 +10,7 @@
 #include "../grid/point_support.hpp"
 #include "../membrane/bounds.hpp"
 #include "node_length.hpp"
+#include "penalty.hpp"
 
 namespace geodrop {
 namespace {
@@ -53,23 +54,21 @@ void forget_points(RigidContact<2>& contact) {
 Vec<2> push(const ContactPoint& point, const RigidSurface::Gap& gap, const Vec<2>& v, double slip, double dt,
             RigidContact<2>& contact) {
   const Vec<2> along = tangent(gap.normal);
-  const double spring = contact.stiffness * point.length, approach = -gap.normal.dot(v);
-  const double elastic = spring * (point.reach - gap.size);
-  const double normal = std::max(0.0, elastic + contact.damping * point.length * approach);
+  const double v_n = gap.normal.dot(v);
   slip += dt * along.dot(v);
-  const double limit = contact.friction * normal, friction = std::clamp(-spring * slip, -limit, limit);
-  contact.friction_work += std::abs(friction) * std::abs(slip + friction / spring);
-  contact.damping_work += (normal - elastic) * approach * dt;
+  const PenaltyForce force = penalty_force(penalty_of(contact, point.length), point.reach - gap.size, v_n, slip);
+  contact.friction_work += std::abs(force.friction) * std::abs(slip - force.stretch);
+  contact.damping_work += (force.elastic - force.normal) * v_n * dt;
   contact.points.push_back(point.id);
-  contact.slip.push_back(-friction / spring);
+  contact.slip.push_back(force.stretch);
   contact.side.push_back(gap.side);
-  contact.normal_sum += normal;
-  contact.friction_sum += friction;
+  contact.normal_sum += force.normal;
+  contact.friction_sum += force.friction;
   for (int a = 0; a < 2; ++a) {
-    contact.normal_force[a] += normal * gap.normal[a];
-    contact.friction_force[a] += friction * along[a];
+    contact.normal_force[a] += force.normal * gap.normal[a];
+    contact.friction_force[a] += force.friction * along[a];
   }
-  return normal * gap.normal + friction * along;
+  return force.normal * gap.normal + force.friction * along;
 }
 
 void add_membrane_contact(const RigidSurface& surface, double dt, Membrane<2>& membrane, RigidContact<2>& contact) {
