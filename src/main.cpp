@@ -5,6 +5,7 @@
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
+#include "command_line/fall.hpp"
 #include "command_line/geotube.hpp"
 #include "command_line/only_if.hpp"
 #include "command_line/plot.hpp"
@@ -194,6 +195,9 @@ int main(int argc, char** argv) {
   auto* release_command = app.add_subcommand("release", "design formulas of a container that leaves a split barge");
   geodrop::ReleaseArguments release;
   geodrop::add_release_options(*release_command, release);
+  auto* fall_command = app.add_subcommand("fall", "the closed-form fall of a container in water");
+  geodrop::FallArguments fall;
+  geodrop::add_fall_options(*fall_command, fall);
   auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
   geodrop::PlotArguments plot;
   geodrop::add_plot_options(*plot_command, plot);
@@ -208,6 +212,7 @@ int main(int argc, char** argv) {
     if (*bench_command) return bench(arguments);
     if (*geotube_command) return geodrop::run_geotube(geotube);
     if (*release_command) return geodrop::run_release(release);
+    if (*fall_command) return geodrop::run_fall(fall);
     if (*plot_command) return geodrop::run_plot(plot);
     return info(arguments);
   } catch (const CLI::ParseError& error) {

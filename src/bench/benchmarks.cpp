@@ -50,9 +50,11 @@ void rest_stress(const MohrCoulomb& soil, Body<Dim>& body) {
     std::fill(body.stress[c].begin(), body.stress[c].end(), -confinement * (c == 1 ? 1 : 1 - soil.sin_phi));
 }
 
-/// Takes all strain and stress back.
+/// Takes all motion, strain and stress back.
 template <int Dim>
-void renew_material(Body<Dim>& body) {
+void renew(Body<Dim>& body) {
+  for (int a = 0; a < Dim; ++a)
+    for (std::size_t p = 0; p < body.size(); ++p) body.x[a][p] = body.initial_x[a][body.id[p]];
   const auto fill = [](auto& values, double value) { std::fill(values.begin(), values.end(), value); };
   fill(body.J, 1.0);
   for (int c = 0; c < Dim * Dim; ++c) fill(body.deformation[c], c % (Dim + 1) == 0 ? 1.0 : 0.0);
@@ -144,6 +146,8 @@ void set_in_motion(const Benchmark& bench, const Scene& scene, double direction,
   constexpr double drift_share = 0.15;
   const double shear_share = bench.at_rest ? 0.003 : 0.03;
   Body<Dim>& body = state.bodies[0];
+  renew(body);
+  state.drift = -1;  // sort before the next step
   const double c = wave_speed(body.material);
   const double middle = 0.5 * (scene.grid.lower[1] + scene.grid.upper[1]);
   const auto& box = std::get<BoxShape>(scene.bodies[0].shape);
@@ -154,7 +158,6 @@ void set_in_motion(const Benchmark& bench, const Scene& scene, double direction,
   for (std::size_t p = 0; p < body.size(); ++p) body.v[0][p] += rate * (body.x[1][p] - middle);
   state.v_max =
       c * std::sqrt((drift_share + shear_share) * (drift_share + shear_share) + (Dim - 1) * drift_share * drift_share);
-  renew_material(body);
   const auto* soil = std::get_if<MohrCoulomb>(&body.material);
   if (soil && bench.at_rest) rest_stress(*soil, body);
   if (soil && !bench.at_rest) shear_stress(*soil, direction, body);

@@ -2,90 +2,54 @@
 #include "release.hpp"
 
 #include "only_if.hpp"
+#include "option_errors.hpp"
 #include "output/text.hpp"
 #include "release_report.hpp"
 
-#include <geodrop/error.hpp>
-
-#include <algorithm>
 #include <iostream>
 #include <numbers>
-#include <vector>
 
 namespace geodrop {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180, right_angle = 90;
 
-[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
-  throw SceneError("geodrop release", {{{}, option, found, allowed, ProblemSource::elsewhere}});
-}
-
-/// What the library refuses by the name of a quantity was an option here.
-template <class Function>
-auto with_option_names(const Function& call) {
-  try {
-    return call();
-  } catch (const SceneError& error) {
-    std::vector<SceneProblem> problems = error.problems();
-    for (SceneProblem& problem : problems)
-      if (!problem.key.starts_with("--")) problem.key = "--" + problem.key;
-    throw SceneError("geodrop release", problems);
-  }
-}
-
-enum class Given { none, all };
-
-struct Option {
-  const char* name;
-  const std::optional<double>& value;
-};
-
-/// Of options that make sense only together.
-Given all_or_none(const std::vector<Option>& options) {
-  std::string names, found;
-  for (const Option& option : options) {
-    names += (names.empty() ? "" : ", ") + std::string(option.name);
-    if (option.value) found += (found.empty() ? "only " : " and ") + std::string(option.name);
-  }
-  const bool has_all = std::all_of(options.begin(), options.end(), [](const Option& o) { return o.value.has_value(); });
-  if (!has_all && !found.empty()) refuse(names, found, "all or none");
-  return has_all ? Given::all : Given::none;
-}
+constexpr OptionErrors errors{"geodrop release"};
 
 std::optional<SplitBarge> read_barge(const ReleaseArguments& a) {
-  const Given given =
-      all_or_none({{"--hinge-radius", a.hinge_radius}, {"--wall-slope", a.wall_slope}, {"--friction", a.friction}});
+  const Given given = errors.all_or_none(
+      {{"--hinge-radius", a.hinge_radius}, {"--wall-slope", a.wall_slope}, {"--friction", a.friction}});
   if (given == Given::none) return std::nullopt;
   return SplitBarge{*a.wall_slope * degree, *a.hinge_radius, *a.friction};
 }
 
 std::optional<double> read_opening_width(const ReleaseArguments& a, const std::optional<SplitBarge>& barge) {
   if (a.opening_angle && a.opening_width)
-    refuse("how far the barge opens", "--opening-angle and --opening-width", "one of them");
+    errors.refuse("how far the barge opens", "--opening-angle and --opening-width", "one of them");
   if (a.opening_angle && !barge)
-    refuse("--opening-angle", "no barge", "with --hinge-radius, --wall-slope and --friction; without, --opening-width");
+    errors.refuse("--opening-angle", "no barge",
+                  "with --hinge-radius, --wall-slope and --friction; without, --opening-width");
   if (barge && !a.opening_angle && !a.opening_width)
-    refuse("how far the barge opens", "nothing", "--opening-angle or --opening-width");
+    errors.refuse("how far the barge opens", "nothing", "--opening-angle or --opening-width");
   if (!a.opening_angle) return a.opening_width;
-  return with_option_names([&] { return opening_width(*barge, *a.opening_angle * degree); });
+  return errors.with_option_names([&] { return opening_width(*barge, *a.opening_angle * degree); });
 }
 
 void check_walls_lean(const ReleaseArguments& a, double angle) {
   const double most = right_angle - *a.wall_slope, found = angle / degree;
   if (found < most) return;
   const std::string walls = "less than " + format_number(most) + " deg, where the walls stand upright";
-  if (a.opening_angle) refuse("--opening-angle", format_number(*a.opening_angle), walls);
-  refuse("--opening-width", format_number(*a.opening_width) + " (each half at " + format_number(found) + " deg)",
-         walls);
+  if (a.opening_angle) errors.refuse("--opening-angle", format_number(*a.opening_angle), walls);
+  errors.refuse("--opening-width", format_number(*a.opening_width) + " (each half at " + format_number(found) + " deg)",
+                walls);
 }
 
 std::optional<SinkingContainer> read_sinking(const ReleaseArguments& a) {
-  const Given given = all_or_none(
+  const Given given = errors.all_or_none(
       {{"--volume", a.volume}, {"--frontal-area", a.frontal_area}, {"--drag-coefficient", a.drag_coefficient}});
   if (given == Given::none) return std::nullopt;
   if (a.water_density == 0)
-    refuse("--water-density", "0 with --volume", "a density > 0 [kg/m3]: the terminal velocity is one in water");
+    errors.refuse("--water-density", "0 with --volume", "a density > 0 [kg/m3]: the terminal velocity is one in water");
   return SinkingContainer{*a.volume, *a.frontal_area, *a.drag_coefficient, a.density, a.water_density};
 }
 
@@ -94,11 +58,12 @@ ReleaseCase read_case(const ReleaseArguments& a) {
   found.barge = read_barge(a);
   found.opening_width = read_opening_width(a, found.barge);
   if (found.barge) {
-    found.opening_angle = with_option_names([&] { return opening_angle(*found.barge, *found.opening_width); });
+    found.opening_angle = errors.with_option_names([&] { return opening_angle(*found.barge, *found.opening_width); });
     check_walls_lean(a, found.opening_angle);
   }
   if (a.fall_height && a.water_density > 0)
-    refuse("--fall-height", "--water-density " + format_number(a.water_density), "a fall in air, --water-density 0");
+    errors.refuse("--fall-height", "--water-density " + format_number(a.water_density),
+                  "a fall in air, --water-density 0");
   found.fall_height = a.fall_height;
   found.strength = a.strength;
   found.sinking = read_sinking(a);
@@ -143,7 +108,7 @@ void add_release_options(CLI::App& command, ReleaseArguments& a) {
 int run_release(const ReleaseArguments& arguments) {
   const ReleaseCase given = read_case(arguments);
   if (!arguments.output.empty()) check_release_directory(arguments.output);
-  const ReleaseReport report = with_option_names([&] { return make_release_report(given); });
+  const ReleaseReport report = errors.with_option_names([&] { return make_release_report(given); });
   std::cout << release_text(report);
   if (!arguments.output.empty()) write_release_files(arguments.output, report);
   return 0;

@@ -89,21 +89,6 @@ std::vector<ResultList> list_wall_forces(const ReleaseCase& given) {
   return rows;
 }
 
-std::string wall_force_text(const std::vector<ResultList>& rows) {
-  constexpr int digits = 6;
-  std::vector<std::vector<std::string>> lines{{}, {}};
-  for (const Result& result : rows.front()) {
-    lines[0].push_back(result.name);
-    lines[1].push_back("[" + result.unit + "]");
-  }
-  for (const ResultList& row : rows) {
-    lines.emplace_back();
-    for (const Result& result : row)
-      lines.back().push_back(std::isnan(result.value) ? "friction holds" : format_number(result.value, digits));
-  }
-  return format_table(lines, std::string(lines[0].size(), 'r'));
-}
-
 constexpr const char* results_file = "release.csv";
 constexpr const char* forces_file = "wall_force.csv";
 
@@ -121,7 +106,7 @@ std::string release_text(const ReleaseReport& report) {
   lines.insert(lines.begin(), {"opening rule", rule, "perimeter >= 2.5 (A/b0 + b0)"});
   if (!report.given.opening_width) lines.insert(lines.begin() + 1, {"", "", "for the best opening, none was given"});
   std::string text = format_table(result_lines(report.inputs), "lrl") + "\n" + format_table(lines, "lrl");
-  if (!report.wall_forces.empty()) text += "\n" + wall_force_text(report.wall_forces);
+  if (!report.wall_forces.empty()) text += "\n" + row_table(report.wall_forces, "friction holds");
   return text;
 }
 

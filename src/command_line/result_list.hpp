@@ -16,6 +16,10 @@ using ResultList = std::vector<Result>;
 /// Name, value and unit, a line each.
 std::vector<std::vector<std::string>> result_lines(const ResultList& results);
 
+/// A header of names, one of units and a line for each list; all have the names of the first. `no_number` stands where
+/// a value is NaN.
+std::string row_table(const std::vector<ResultList>& rows, const std::string& no_number);
+
 /// A header of columns and a row for each list; all have the columns of the first.
 std::string results_csv(const std::vector<ResultList>& rows);
 

@@ -1,8 +1,8 @@
 // Each formula is a line; the rest says what cannot be.
-#include <geodrop/error.hpp>
 #include <geodrop/release.hpp>
 
 #include "output/text.hpp"
+#include "require.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -14,10 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double g = release_gravity;
 
-void require(bool good, const std::string& key, double found, const std::string& allowed) {
-  if (!good || !std::isfinite(found))
-    throw SceneError("release", {{{}, key, format_number(found), allowed, ProblemSource::elsewhere}});
-}
+constexpr Require require{"release"};
 
 void require_area(double area) { require(area > 0, "area", area, "an area > 0 [m2]"); }
 

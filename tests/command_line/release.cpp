@@ -4,56 +4,27 @@
 #include <filesystem>
 
 #include "plot/csv_table.hpp"
-#include "support/program.hpp"
+#include "support/calculator.hpp"
 
 using namespace geodrop::test;
 
 namespace {
 
-using Words = std::vector<std::string>;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// The worked example of CUR 217, in water.
 Outcome example(const Words& more) {
-  Words arguments{"release", "--perimeter", "18.3", "--area", "10.8", "--density", "1990", "--water-density", "1000"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_program(arguments);
+  const Words arguments{"release", "--perimeter",     "18.3", "--area", "10.8", "--density",
+                        "1990",    "--water-density", "1000"};
+  return run_program(arguments + more);
 }
 
 /// 9 m2 at 18 kN/m3 in air.
 Outcome in_air(const Words& more) {
-  Words arguments{"release",   "--perimeter",     "15.77",           "--area", "9",
-                  "--density", "1834.8623853211", "--water-density", "0"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_program(arguments);
+  const Words arguments{"release",   "--perimeter",     "15.77",           "--area", "9",
+                        "--density", "1834.8623853211", "--water-density", "0"};
+  return run_program(arguments + more);
 }
 
 const Words barge{"--hinge-radius", "2.8", "--wall-slope", "35", "--friction", "0.3"};
-
-Words operator+(Words a, const Words& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-/// The words of the line that begins so, joined by single spaces; empty if there is none.
-std::string line(const std::string& text, const std::string& beginning) {
-  std::istringstream lines(text);
-  for (std::string found; std::getline(lines, found);) {
-    std::istringstream words(found);
-    std::string joined;
-    for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
-    if (joined.starts_with(beginning)) return joined;
-  }
-  return {};
-}
-
-void check_refused(const Outcome& outcome, const std::string& says) {
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(contains(outcome.err, says));
-}
 
 }  // namespace
 
