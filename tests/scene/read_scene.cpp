@@ -177,7 +177,7 @@ TEST_CASE("membranes, probes and results as written") {
 TEST_CASE("the scene as run reads back as the same scene") {
   const std::vector<std::string> paths{every_key, source_path("cases/hydrostatic_column.toml"),
                                        source_path("cases/gravity_column.toml"), source_path("cases/elastic_bar.toml"),
-                                       source_path("cases/dump_kekerdom.toml")};
+                                       source_path("cases/dump_kekerdom_mixture.toml")};
   for (const std::string& path : paths) {
     CAPTURE(path);
     const Scene scene = read_scene(path, {"title=\"a \\\"quoted\\\" back\\\\slash\\n\"", "grid.spacing=0.05"});
