@@ -56,6 +56,19 @@ void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std
                  " segments: the mean is over 2 averaging_segments + 1 of them");
 }
 
+/// Friction needs a bed, and a bed a membrane that slips on it.
+void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (!report.healthy(key + ".interface") || !report.healthy(key + ".bed_friction")) return;
+  if (membrane.bed.empty() && membrane.bed_friction > 0)
+    report.add(key + ".bed_friction", to_text(membrane.bed_friction) + " without a bed", "bed_friction with bed only");
+  if (membrane.bed.empty()) return;
+  if (membrane.interface != Interface::sharp)
+    report.add(key + ".bed", '"' + membrane.bed + "\" of a membrane that sticks to what is around",
+               "bed with interface = \"sharp\" only");
+  else
+    check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
+}
+
 /// Both sides of a sharp interface have pressures of cells, and cells are knot spans of one size.
 void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
@@ -68,10 +81,6 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
       return other.body == body && other.interface == Interface::sharp;
     });
   };
-  if (!membrane.bed.empty())
-    check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
-  else if (membrane.bed_friction > 0)
-    report.add(key + ".bed_friction", to_text(membrane.bed_friction) + " without a bed", "bed_friction with bed only");
   const BodySpec* body = find_body(scene, membrane.body);
   if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
     refuse("on a grid whose cells are not knot spans of one size", "sharp with basis = \"bspline2\" and no zones");
@@ -103,6 +112,7 @@ void check_membranes(const Scene& scene, Report& report) {
     if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
     check_averaging(scene, membrane, key, report);
+    check_bed(scene, membrane, key, report);
     if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }
 }

@@ -236,8 +236,8 @@ constexpr Key keys[] = {
     {"membranes", "slack", real, "", "", required, not_negative, "rest length / drawn length - 1"},
     {"membranes", "segments_per_cell", real, "", "", standard("4.0"), dense, "nodes are h / segments_per_cell apart"},
     {"membranes", "interface", choice, "", "", standard("\"mixture\""), words("mixture|sharp"), "mixture: its body and what is around it move with one velocity field and stick to each other; sharp: each has its own, they slip along the membrane without friction and share the cells that it cuts exactly", 2},
-    {"membranes", "bed", text, "", "interface=sharp", standard("\"\""), any, "a body of soil around it on which it rubs; on all else it slips without friction, and it parts from nothing"},
-    {"membranes", "bed_friction", real, "", "interface=sharp", standard("0.0"), not_negative, "coefficient of friction on the bed; given with bed only"},
+    {"membranes", "bed", text, "", "", standard("\"\""), any, "with interface = sharp: a body of soil around it on which it rubs; on all else it slips without friction, and it parts from nothing"},
+    {"membranes", "bed_friction", real, "", "", standard("0.0"), not_negative, "coefficient of friction on the bed; given with bed only"},
     {"membranes", "averaging_segments", integer, "", "", standard("2"), window, "half width of the running mean of strain and force"},
 
     {"rigid", "name", name, "", "", required, identifier, "what contacts refer to"},

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "grid/momentum.hpp"
 #include "interface/interface_cells.hpp"
 #include "interface/interface_constraint.hpp"
 #include "membrane/polygon.hpp"
@@ -45,6 +46,7 @@ struct Fall {
       for_each_node(grid.layout, 2, [&](int flat, const auto&) {
         for (int a = 0; a < 2; ++a) grid.velocity[flat][a] = grid.sum[flat][3] > 0 ? random.uniform(-1, 1) : 0.0;
       });
+    for (Grid<2>& grid : grids) impose_wall_velocity(grid);
   }
   std::array<double, 2> momentum(std::size_t field) const {
     std::array<double, 2> sum{};

@@ -132,8 +132,11 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
   REQUIRE(scene.probes.size() == 7);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
-  CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) ==
-        HydrostaticProbeSpec{"still", "sea", {"water", 7}, "geotextile"});
+  const auto& still = std::get<HydrostaticProbeSpec>(scene.probes[1].probe);
+  CHECK(still.name == "still");
+  CHECK(still.body == "sea");
+  CHECK(still.still == HydrostaticSpec{"water", 7});
+  CHECK(still.tips_of == "geotextile");
   CHECK(std::get<ExactProbeSpec>(scene.probes[2].probe) == ExactProbeSpec{"error", "pad"});
   CHECK(std::get<GeotubeProbeSpec>(scene.probes[3].probe) == GeotubeProbeSpec{"tube", "geotextile", "water", 1.0});
   CHECK(std::get<SectionProbeSpec>(scene.probes[4].probe) == SectionProbeSpec{"middle", "wedge", 2.0});

@@ -42,10 +42,10 @@ TEST_CASE("A cylinder starts to fall as an ideal fluid lets it") {
 
 TEST_CASE("A body as heavy as the water stays where it is") {
   const SceneRun run("cases/ellipse_release.toml",
-                     {"grid.spacing=0.5", "materials.sand.density=1000.0", "membranes.geotextile.mass_per_area=0",
+                     {"grid.spacing=0.25", "materials.sand.density=1000.0", "membranes.geotextile.mass_per_area=0",
                       "materials.sand.poissons_ratio=0.49"});
   REQUIRE(run.outcome().code == 0);
-  CHECK(std::abs(run.result("initial_acceleration_m_s2")) < 0.02);
+  CHECK(std::abs(run.result("initial_acceleration_m_s2")) < 0.02);  // measured 0.009; 0.041 at h = 0.5
 }
 
 TEST_CASE("The main case lands and comes to rest, without water in the container") {
