@@ -59,6 +59,9 @@ double reference_density(const Material& material);
 /// Speed of elastic compression waves at zero strain, pore fluid included [m/s].
 double wave_speed(const Material& material);
 
+/// What elastic compression waves meet at zero strain, rho c [Pa s/m].
+double impedance(const Material& material);
+
 /// Speed of elastic shear waves at zero strain [m/s]; 0 in a fluid.
 double shear_wave_speed(const Material& material);
 

@@ -1,6 +1,5 @@
 #include "viscous_boundary.hpp"
 
-#include <geodrop/error.hpp>
 #include <geodrop/find_named.hpp>
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
@@ -39,9 +38,7 @@ void place_points(const Point& from, const Point& to, double cell, ViscousBounda
 
 template <int Dim>
 PointSupport<Dim> support_of(const GridLayout<Dim>& layout, const ViscousBoundary<Dim>& boundary, std::size_t k) {
-  std::array<double, Dim> x;
-  for (int a = 0; a < Dim; ++a) x[a] = boundary.x[a][k];
-  return {layout, x, boundary.half_size};
+  return {layout, place_at(boundary.x, k), boundary.half_size};
 }
 
 template <int Dim>
@@ -73,33 +70,22 @@ void scatter(const PointSupport<Dim>& support, const Vec4& push, const Grid<Dim>
   });
 }
 
-template <int Dim>
-void check_on_grid(const GridLayout<Dim>& layout, const ViscousBoundary<Dim>& boundary, std::size_t k) {
-  for (int a = 0; a < Dim; ++a) {
-    const double x = boundary.x[a][k];
-    if (!(x >= layout.lower[a] && x <= layout.upper[a]))
-      throw RunError("a point of viscous boundary '" + boundary.name +
-                     "' left the domain or is not finite (coordinate " + std::to_string(a) + " = " + std::to_string(x) +
-                     ")");
-  }
-}
-
 }  // namespace
 
 template <>
 ViscousBoundary<2> make_viscous_boundary(const Scene& scene, const ViscousBoundarySpec& spec, const State<2>& state) {
   const BodySpec& body = *find_body(scene, spec.body);
   const Material& ground = find_named(state.bodies, spec.body).material;
-  const double cell = finest_spacing(scene.grid), density = reference_density(ground), c_p = wave_speed(ground);
+  const double cell = finest_spacing(scene.grid);
   const Point normal = outward_normal(body.shape, spec.from, spec.to, cell / 4).value();
   ViscousBoundary<2> boundary;
   boundary.name = spec.name;
   boundary.field = find_named(state.bodies, spec.body).field;
   boundary.half_size = 0.5 / body.particles_per_cell_axis;
   boundary.normal = {normal[0], normal[1]};
-  boundary.impedance_p = density * c_p;
-  boundary.impedance_s = density * shear_wave_speed(ground);
-  boundary.spring = density * c_p * c_p / spec.spring_depth;
+  boundary.impedance_p = impedance(ground);
+  boundary.impedance_s = reference_density(ground) * shear_wave_speed(ground);
+  boundary.spring = impedance(ground) * wave_speed(ground) / spec.spring_depth;
   boundary.inwards = boundary.half_size * cell_across(scene, spec.from, boundary.normal);
   place_points(spec.from, spec.to, cell, boundary);
   for (const double y : boundary.x[1]) {
@@ -142,17 +128,14 @@ void grid_to_boundaries(State<Dim>& state, const Grid<Dim>& grid, double dt) {
   double displacement = 0;
   for (ViscousBoundary<Dim>& boundary : state.viscous_boundaries)
     for (std::size_t k = 0; boundary.field == grid.field && k < boundary.points(); ++k) {
-      Vec4 v{};
-      support_of(grid.layout, boundary, k).for_each_node(grid.layout, [&](int node, double weight) {
-        v += weight * grid.velocity[node];
-      });
+      const Vec4 v = interpolate(grid.layout, support_of(grid.layout, boundary, k), grid.velocity);
       for (int a = 0; a < Dim; ++a) {
         boundary.v[a][k] = v[a];
         boundary.moved[a][k] += dt * v[a];
         boundary.x[a][k] = grid.layout.wrapped(a, boundary.x[a][k] + dt * v[a]);
         displacement = std::max(displacement, std::abs(dt * v[a]));
       }
-      check_on_grid(grid.layout, boundary, k);
+      check_on_grid<Dim>(grid.layout, place_at(boundary.x, k), "a point of viscous boundary", boundary.name);
     }
   state.drift += displacement;
 }

@@ -7,27 +7,14 @@
 #include <cmath>
 #include <limits>
 
+#include "../membrane/bounds.hpp"
+#include "../membrane/fluid_load.hpp"
 #include "../membrane/polygon.hpp"
 #include "node_length.hpp"
+#include "penalty.hpp"
 
 namespace geodrop {
 namespace {
-
-struct Box {
-  Vec<2> lower, upper;
-  bool holds(const Vec<2>& x) const { return (x.array() >= lower.array() && x.array() <= upper.array()).all(); }
-};
-
-/// Around all nodes, and `margin` [m] more: a flat skin has no thickness of its own.
-Box bounds(const Membrane<2>& membrane, double margin) {
-  Box box;
-  for (int a = 0; a < 2; ++a) {
-    const auto [low, high] = std::minmax_element(membrane.x[a].begin(), membrane.x[a].end());
-    box.lower[a] = *low - margin;
-    box.upper[a] = *high + margin;
-  }
-  return box;
-}
 
 /// Outward unit normal of a segment; zero if it has no length.
 Vec<2> segment_normal(const Membrane<2>& membrane, std::size_t s, double outward) {
@@ -51,7 +38,7 @@ std::vector<Vec<2>> node_normals(const Membrane<2>& membrane, double outward) {
 /// Segments of a membrane in square bins, to find those near a point.
 class SegmentBins {
  public:
-  SegmentBins(const Membrane<2>& membrane, const Box& region, double reach) : lower_(region.lower) {
+  SegmentBins(const Membrane<2>& membrane, const Box<2>& region, double reach) : lower_(region.lower) {
     double longest = 0;
     std::vector<std::pair<std::size_t, Vec<2>>> middles;
     for (std::size_t s = 0; s < membrane.segments(); ++s) {
@@ -165,30 +152,27 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
   const Vec<2> along(-normal[1], normal[0]);
   const Vec<2> v = vector_at(pass.slave.v, k) - (1 - foot.share) * vector_at(pass.master.v, foot.segment) -
                    foot.share * vector_at(pass.master.v, end);
-  const double length = 0.5 * node_length(pass.slave, k), spring = contact.stiffness * length;
-  const double push = std::max(0.0, -spring * gap - contact.damping * length * normal.dot(v));
-  double& slip = pass.slip[k];
-  slip += dt * along.dot(v);
-  const double most = contact.friction * push / spring;
-  slip = std::clamp(slip, -most, most);
-  const Vec<2> force = push * normal - spring * slip * along;
+  const PenaltyForce push = penalty_force(penalty_of(contact, 0.5 * node_length(pass.slave, k)), -gap, normal.dot(v),
+                                          pass.slip[k] + dt * along.dot(v));
+  pass.slip[k] = push.stretch;
+  const Vec<2> force = push.normal * normal + push.friction * along;
   add_load(pass.slave, k, force);
   add_load(pass.master, foot.segment, -(1 - foot.share) * force);
   add_load(pass.master, end, -foot.share * force);
-  pressed += push;
+  pressed += push.normal;
   return force;
 }
 
 /// Sum of the forces on the slave.
 Vec<2> run_pass(const Pass& pass, MembraneContact& contact, double dt) {
   Vec<2> sum = Vec<2>::Zero();
-  const Box nearby = bounds(pass.slave, contact.reach);
+  const Box<2> nearby = bounds(pass.slave, contact.reach);  // a flat skin has no thickness of its own
   const SegmentBins bins(pass.master, nearby, contact.reach);
   if (bins.empty()) {
     std::fill(pass.slip.begin(), pass.slip.end(), 0.0);
     return sum;
   }
-  const Box around = bounds(pass.master, contact.reach);
+  const Box<2> around = bounds(pass.master, contact.reach);
   const auto slave_normals = node_normals(pass.slave, pass.slave_outward);
   const auto master_normals = node_normals(pass.master, pass.master_outward);
   for (std::size_t k = 0; k < pass.slave.nodes(); ++k) {
@@ -209,7 +193,7 @@ Vec<2> run_pass(const Pass& pass, MembraneContact& contact, double dt) {
 /// 1 if the body lies on the left of its membrane. Of an open one, that of most of its particles as seen from the
 /// nearest nodes.
 double side_of_body(const State<2>& state, const Membrane<2>& membrane) {
-  if (membrane.closed) return signed_area(membrane.x[0], membrane.x[1]) > 0 ? 1 : -1;
+  if (membrane.closed) return sense_of(membrane);
   const Body<2>& body = find_named(state.bodies, membrane.body);
   std::ptrdiff_t left = 0;
   for (std::size_t p = 0; p < body.size(); ++p) {
@@ -242,9 +226,8 @@ MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spe
   for (int side = 0; side < 2; ++side) {
     const Membrane<2>& membrane = find_named(state.membranes, spec.between[side]);
     const Material& behind = material_behind(state, membrane);
-    const double rho_c = reference_density(behind) * wave_speed(behind);
-    modulus = std::min(modulus, rho_c * wave_speed(behind));
-    of_both += 1 / rho_c;
+    modulus = std::min(modulus, impedance(behind) * wave_speed(behind));
+    of_both += 1 / impedance(behind);
     contact.outward[side] = side_of_body(state, membrane);
     contact.slip[side].assign(membrane.nodes(), 0.0);
   }

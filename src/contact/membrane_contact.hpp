@@ -1,13 +1,11 @@
 // Membranes on membranes, and on themselves where they fold: penalty normal to the surface, Coulomb friction along it.
 //
 // Each node of one membrane meets the nearest segment of the other, and in a second pass the other way round; both
-// count half. With l the length of membrane that belongs to the node, n the outward normal of the other surface between
-// its nodes a and b at the foot of the node, g = n . (x - x_foot) the gap and v_t the relative velocity along it:
-//
-//   f_n = 1/2 l max(0, -k g - z v_n) where g < 0 only,   xi += dt v_t,   f_t = -1/2 k l xi, cut to |f_t| <= mu f_n
-//
-// The reaction goes to a and b by the lever rule: momentum is kept to round-off, angular momentum but for g. Surfaces
-// touch only if their normals oppose each other: a thin bag does not meet its own other flank from inside.
+// count half. The law is that of penalty.hpp with half the length of membrane that belongs to the node, the outward
+// normal n of the other surface between its nodes a and b at the foot of the node, and depth n . (x_foot - x) where
+// that is positive. The reaction goes to a and b by the lever rule: momentum is kept to round-off, angular momentum but
+// for the depth. Surfaces touch only if their normals oppose each other: a thin bag does not meet its own other flank
+// from inside.
 #pragma once
 
 #include <geodrop/scene.hpp>

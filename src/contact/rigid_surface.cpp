@@ -111,13 +111,13 @@ RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
 }
 
 template <>
-void move_rigid_bodies(const Scene& scene, double dt, State<2>& state) {
+void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<2>& state) {
   for (RigidBody<2>& body : state.rigid) {
     const double angle = body.angle;
     const Vec<2> displacement = as_vector(body.displacement);
     if (body.moving) {
       body.moved += dt;
-      std::visit(Pose{body}, find_named(scene.rigid, body.name).motion);
+      std::visit(Pose{body}, find_named(specs, body.name).motion);
     }
     body.angle_rate = (body.angle - angle) / dt;
     body.velocity = as_array((as_vector(body.displacement) - displacement) / dt);
@@ -126,7 +126,7 @@ void move_rigid_bodies(const Scene& scene, double dt, State<2>& state) {
 
 // Rigid bodies are for the plane.
 template <>
-void move_rigid_bodies(const Scene&, double, State<3>&) {}
+void move_rigid_bodies(const std::vector<RigidSpec>&, double, State<3>&) {}
 
 RigidSurface::RigidSurface(const RigidBody<2>& body)
     : half_plane_(body.half_plane),

@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "../grid/point_support.hpp"
+#include "../membrane/bounds.hpp"
 #include "node_length.hpp"
+#include "penalty.hpp"
 
 namespace geodrop {
 namespace {
@@ -52,34 +54,27 @@ void forget_points(RigidContact<2>& contact) {
 Vec<2> push(const ContactPoint& point, const RigidSurface::Gap& gap, const Vec<2>& v, double slip, double dt,
             RigidContact<2>& contact) {
   const Vec<2> along = tangent(gap.normal);
-  const double spring = contact.stiffness * point.length, approach = -gap.normal.dot(v);
-  const double elastic = spring * (point.reach - gap.size);
-  const double normal = std::max(0.0, elastic + contact.damping * point.length * approach);
+  const double v_n = gap.normal.dot(v);
   slip += dt * along.dot(v);
-  const double limit = contact.friction * normal, friction = std::clamp(-spring * slip, -limit, limit);
-  contact.friction_work += std::abs(friction) * std::abs(slip + friction / spring);
-  contact.damping_work += (normal - elastic) * approach * dt;
+  const PenaltyForce force = penalty_force(penalty_of(contact, point.length), point.reach - gap.size, v_n, slip);
+  contact.friction_work += std::abs(force.friction) * std::abs(slip - force.stretch);
+  contact.damping_work += (force.elastic - force.normal) * v_n * dt;
   contact.points.push_back(point.id);
-  contact.slip.push_back(-friction / spring);
+  contact.slip.push_back(force.stretch);
   contact.side.push_back(gap.side);
-  contact.normal_sum += normal;
-  contact.friction_sum += friction;
+  contact.normal_sum += force.normal;
+  contact.friction_sum += force.friction;
   for (int a = 0; a < 2; ++a) {
-    contact.normal_force[a] += normal * gap.normal[a];
-    contact.friction_force[a] += friction * along[a];
+    contact.normal_force[a] += force.normal * gap.normal[a];
+    contact.friction_force[a] += force.friction * along[a];
   }
-  return normal * gap.normal + friction * along;
+  return force.normal * gap.normal + force.friction * along;
 }
 
 void add_membrane_contact(const RigidSurface& surface, double dt, Membrane<2>& membrane, RigidContact<2>& contact) {
-  Vec<2> lower, upper;
-  for (int a = 0; a < 2; ++a) {
-    const auto [least, most] = std::minmax_element(membrane.x[a].begin(), membrane.x[a].end());
-    lower[a] = *least;
-    upper[a] = *most;
-  }
+  const Box<2> box = bounds(membrane, 0);
   std::vector<ContactPoint> points;
-  if (surface.may_touch(lower, upper, 0))
+  if (surface.may_touch(box.lower, box.upper, 0))
     for (std::uint32_t k = 0; k < membrane.nodes(); ++k)
       points.push_back({k, vector_at(membrane.x, k), vector_at(membrane.v, k), node_length(membrane, k), 0});
   const std::vector<Vec<2>> forces = contact_forces(surface, points, dt, contact);
@@ -181,9 +176,9 @@ RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, 
   contact.bare = pair.kind == ContactPair::Kind::body_on_rigid;
   contact.friction = spec.friction;
   const Body<2>& body = touching_body(state, contact);
-  const double impedance = reference_density(body.material) * wave_speed(body.material);
-  contact.stiffness = spec.stiffness * impedance * wave_speed(body.material) / finest_spacing(scene.grid);
-  contact.damping = spec.damping * impedance;
+  const Material& material = body.material;
+  contact.stiffness = spec.stiffness * impedance(material) * wave_speed(material) / finest_spacing(scene.grid);
+  contact.damping = spec.damping * impedance(material);
   if (contact.bare) contact.reach = particle_reach(scene, body);
   return contact;
 }

@@ -1,12 +1,9 @@
 // Membrane nodes and bare particles on rigid surfaces (2D): penalty normal to the surface, Coulomb friction along it.
 //
-//   f_n = max(0, k l (-g) - z l v_n)    where g < 0 only; g: gap, of a particle less half its width; l: length that
-//                                       belongs to the point; v: velocity over the surface
-//   xi += dt v_t,  f_t = -k l xi, cut to |f_t| <= mu f_n          xi: stretch of the tangential spring
-//
-// Springs are slack where there was no contact in the step before. k = stiffness P / h, z = damping rho c, with P = rho
-// c^2 the wave modulus of the body that touches: a pressure p sinks in by p h / (stiffness P), and a wave that arrives
-// meets the impedance of more of the same body. Stable up to stiffness (c dt / h)^2 = 1/2, see stable_dt.
+// The law is that of penalty.hpp where the depth is positive, of a particle with half its width. Springs are slack
+// where there was no contact in the step before. k = stiffness P / h, z = damping rho c, with P = rho c^2 the wave
+// modulus of the body that touches: a pressure p sinks in by p h / (stiffness P), and a wave that arrives meets the
+// impedance of more of the same body. Stable up to stiffness (c dt / h)^2 = 1/2, see stable_dt.
 #pragma once
 
 #include <geodrop/find_named.hpp>

@@ -1,11 +1,34 @@
-// The nodes that a point sees, wherever it is: membrane nodes, tracers, particles that something pushes.
+// The nodes that a point sees, wherever it is: membrane nodes, tracers, points of boundaries, particles that something
+// pushes.
 #pragma once
 
+#include <geodrop/error.hpp>
 #include <geodrop/grid.hpp>
+
+#include <sstream>
+#include <string>
 
 #include "../kernels/bases.hpp"
 
 namespace geodrop {
+
+/// Along one axis: the node (on a graded grid: the knot span) that a coordinate belongs to, weights and slopes of that
+/// node and its neighbours. On a graded grid slopes are per metre.
+struct AxisSupport {
+  int base;
+  ThreeWeights n;
+};
+
+/// `half_size`: half width of the point's domain for Basis::gimp [h]; hat functions are its limit.
+template <int Dim>
+AxisSupport support_along(const GridLayout<Dim>& layout, int axis, double x, double half_size) {
+  constexpr double to_the_limit = 1e-9;
+  const int base = layout.base(axis, x);
+  if (layout.graded()) return {base, GradedBspline2::at(layout.knots[axis][base + GridLayout<Dim>::pad], x)};
+  const double r = (x - layout.lower[axis]) * layout.inv_h - base;
+  if (layout.basis == Basis::bspline2) return {base, Bspline2::at(r, 0)};
+  return {base, Gimp::at(r, layout.basis == Basis::gimp ? half_size : to_the_limit)};
+}
 
 /// Weights of the nine (27) nodes around a point, and the flat index of the lowest.
 template <int Dim>
@@ -13,16 +36,9 @@ struct PointSupport {
   int first;
   std::array<std::array<double, 3>, Dim> w;
 
-  /// `half_size`: half width of the point's domain for Basis::gimp [h]; hat functions are its limit.
   PointSupport(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, double half_size) : first(0) {
-    constexpr double to_the_limit = 1e-9;
     for (int a = 0; a < Dim; ++a) {
-      const int base = layout.base(a, x[a]);
-      const double r = (x[a] - layout.lower[a]) * layout.inv_h - base;
-      const ThreeWeights n = layout.graded() ? GradedBspline2::at(layout.knots[a][base + GridLayout<Dim>::pad], x[a])
-                             : layout.basis == Basis::bspline2 ? Bspline2::at(r, 0)
-                             : layout.basis == Basis::gimp     ? Gimp::at(r, half_size)
-                                                               : Gimp::at(r, to_the_limit);
+      const auto [base, n] = support_along(layout, a, x[a], half_size);
       w[a] = {n.w0, n.w1, n.w2};
       first += (base + GridLayout<Dim>::pad - 1) * layout.stride[a];
     }
@@ -38,5 +54,33 @@ struct PointSupport {
         }
   }
 };
+
+/// Of a nodal field, at the point.
+template <int Dim>
+Vec4 interpolate(const GridLayout<Dim>& layout, const PointSupport<Dim>& support, const Array<Vec4>& field) {
+  Vec4 sum{};
+  support.for_each_node(layout, [&](int node, double weight) { sum += weight * field[node]; });
+  return sum;
+}
+
+/// Entry k of positions that have an array for each coordinate.
+template <std::size_t Dim>
+std::array<double, Dim> place_at(const std::array<Array<double>, Dim>& x, std::size_t k) {
+  std::array<double, Dim> place;
+  for (std::size_t a = 0; a < Dim; ++a) place[a] = x[a][k];
+  return place;
+}
+
+/// What moves with the grid must stay on it; throws RunError with its `kind` and `name`.
+template <int Dim>
+void check_on_grid(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, const char* kind,
+                   const std::string& name) {
+  for (int a = 0; a < Dim; ++a) {
+    if (x[a] >= layout.lower[a] && x[a] <= layout.upper[a]) continue;
+    std::ostringstream text;
+    text << kind << " '" << name << "' left the domain or is not finite (coordinate " << a << " = " << x[a] << ")";
+    throw RunError(text.str());
+  }
+}
 
 }  // namespace geodrop

@@ -77,6 +77,8 @@ double wave_speed(const Material& material) {
   return std::visit([](const auto& law) { return std::sqrt(wave_modulus(law) / law.density); }, material);
 }
 
+double impedance(const Material& material) { return reference_density(material) * wave_speed(material); }
+
 double shear_wave_speed(const Material& material) {
   const auto shear_modulus = [](const auto& law) {
     if constexpr (requires { law.shear_modulus; }) return law.shear_modulus;

@@ -40,23 +40,30 @@ void add_pressure(const EdgePressure& pressure, double sense, std::size_t k, Mem
   }
 }
 
+std::vector<StillFluid> still_fluids(const Scene& scene) {
+  std::vector<StillFluid> fluids;
+  for (const StillFluidSpec& spec : scene.still_fluids) {
+    const double density = reference_density(make_material(*find_material(scene, spec.fluid)));
+    fluids.push_back({spec.membrane, -scene.gravity[1] * density, spec.surface});
+  }
+  return fluids;
+}
+
 template <>
-void add_still_fluids(const Scene& scene, State<2>& state) {
-  for (const StillFluidSpec& still : scene.still_fluids)
+void add_still_fluids(const std::vector<StillFluid>& fluids, State<2>& state) {
+  for (const StillFluid& fluid : fluids)
     for (Membrane<2>& membrane : state.membranes) {
-      if (membrane.name != still.membrane) continue;
-      const double unit_weight =
-          -scene.gravity[1] * reference_density(make_material(*find_material(scene, still.fluid)));
+      if (membrane.name != fluid.membrane) continue;
       const double sense = sense_of(membrane);
       for (std::size_t k = 0; k < membrane.segments(); ++k) {
         const double start = membrane.x[1][k], end = membrane.x[1][end_of_edge(k, membrane.nodes())];
-        add_pressure(wet_part(start, end, still.surface, unit_weight), sense, k, membrane);
+        add_pressure(wet_part(start, end, fluid.surface, fluid.unit_weight), sense, k, membrane);
       }
     }
 }
 
 // Membranes are for the plane.
 template <>
-void add_still_fluids(const Scene&, State<3>&) {}
+void add_still_fluids(const std::vector<StillFluid>&, State<3>&) {}
 
 }  // namespace geodrop

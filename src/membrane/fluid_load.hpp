@@ -4,6 +4,9 @@
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 
+#include <string>
+#include <vector>
+
 namespace geodrop {
 
 /// 1 if the nodes of a closed membrane run anticlockwise, -1 if clockwise: the side on which its outward normal is.
@@ -18,8 +21,16 @@ struct EdgePressure {
 /// Adds its resultant, int p N dl n with N linear along the edge, to the ends of edge k.
 void add_pressure(const EdgePressure& pressure, double sense, std::size_t k, Membrane<2>& membrane);
 
-/// Adds the pressure of still fluids that stand around membranes, gamma (surface - y) inwards below their surfaces.
+/// Fluid at rest outside of a closed membrane.
+struct StillFluid {
+  std::string membrane;
+  double unit_weight;  ///< gamma [N/m3]
+  double surface;      ///< level [m]
+};
+std::vector<StillFluid> still_fluids(const Scene& scene);
+
+/// Adds the pressure of fluids around membranes, gamma (surface - y) inwards below their surfaces.
 template <int Dim>
-void add_still_fluids(const Scene& scene, State<Dim>& state);
+void add_still_fluids(const std::vector<StillFluid>& fluids, State<Dim>& state);
 
 }  // namespace geodrop

@@ -1,10 +1,7 @@
 #include "membrane_force.hpp"
 
-#include <geodrop/error.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "../grid/point_support.hpp"
 #include "polygon.hpp"
@@ -51,35 +48,9 @@ double back_on_grid(const GridLayout<Dim>& layout, int axis, double x) {
   return near ? std::clamp(x, lower, upper) : x;
 }
 
-/// What moves with the grid must stay on it.
-template <int Dim>
-void check_on_grid(const GridLayout<Dim>& layout, const std::array<double, Dim>& x, const char* kind,
-                   const std::string& name) {
-  for (int a = 0; a < Dim; ++a) {
-    if (x[a] >= layout.lower[a] && x[a] <= layout.upper[a]) continue;
-    std::ostringstream text;
-    text << kind << " '" << name << "' left the domain or is not finite (coordinate " << a << " = " << x[a] << ")";
-    throw RunError(text.str());
-  }
-}
-
-template <int Dim>
-Vec4 interpolate(const GridLayout<Dim>& layout, const PointSupport<Dim>& support, const Array<Vec4>& field) {
-  Vec4 sum{};
-  support.for_each_node(layout, [&](int node, double weight) { sum += weight * field[node]; });
-  return sum;
-}
-
-template <int Dim>
-std::array<double, Dim> node_position(const Membrane<Dim>& membrane, std::size_t k) {
-  std::array<double, Dim> x;
-  for (int a = 0; a < Dim; ++a) x[a] = membrane.x[a][k];
-  return x;
-}
-
 template <int Dim>
 PointSupport<Dim> support_of_node(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, std::size_t k) {
-  return {layout, node_position(membrane, k), membrane.half_size};
+  return {layout, place_at(membrane.x, k), membrane.half_size};
 }
 
 /// m (v, 1) of a node.
@@ -214,7 +185,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
         membrane.x[a][k] = back_on_grid(grid.layout, a, membrane.x[a][k] + dt * v[a]);
         displacement = std::max(displacement, std::abs(dt * v[a]));
       }
-      check_on_grid<Dim>(grid.layout, node_position(membrane, k), "a node of membrane", membrane.name);
+      check_on_grid<Dim>(grid.layout, place_at(membrane.x, k), "a node of membrane", membrane.name);
     }
   state.drift += displacement;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fixed_order_sum.hpp"
+#include "membrane/bounds.hpp"
 #include "membrane/polygon.hpp"
 
 namespace geodrop {
@@ -175,12 +176,9 @@ MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
   MembraneMeasures<Dim> measures;
   measures.tension_max = -1;  // a slack membrane still has a place of its largest tension
   double rest_length = 0, weighted = 0, squares = 0;
-  measures.lower = vector_at(membrane.x, 0);
-  measures.upper = measures.lower;
-  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    measures.lower = measures.lower.cwiseMin(vector_at(membrane.x, k));
-    measures.upper = measures.upper.cwiseMax(vector_at(membrane.x, k));
-  }
+  const Box<Dim> box = bounds(membrane, 0);
+  measures.lower = box.lower;
+  measures.upper = box.upper;
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     const Vec<Dim> a = vector_at(membrane.x, s), b = vector_at(membrane.x, (s + 1) % membrane.nodes());
     measures.length += (b - a).norm();

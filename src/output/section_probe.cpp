@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "../kernels/bases.hpp"
 #include "fixed_order_sum.hpp"
+#include "grid/point_support.hpp"
 #include "membrane/polygon.hpp"
 
 namespace geodrop {
@@ -23,21 +23,13 @@ class Section {
   Section(const GridLayout<2>& layout, double position) : layout_(layout), position_(position) {}
 
   RightShare at(double x, double half_size) const {
-    const int base = layout_.base(0, x);
-    const ThreeWeights n = weights(x, base, half_size);
+    const auto [base, n] = support_along(layout_, 0, x, half_size);
     const double per_metre = layout_.graded() ? 1.0 : layout_.inv_h;
     const double below = right_of(base - 1), here = right_of(base), above = right_of(base + 1);
     return {below * n.w0 + here * n.w1 + above * n.w2, per_metre * (below * n.g0 + here * n.g1 + above * n.g2)};
   }
 
  private:
-  ThreeWeights weights(double x, int base, double half_size) const {
-    constexpr double to_the_limit = 1e-9;  // hat functions
-    if (layout_.graded()) return GradedBspline2::at(layout_.knots[0][base + GridLayout<2>::pad], x);
-    const double r = (x - layout_.lower[0]) * layout_.inv_h - base;
-    if (layout_.basis == Basis::bspline2) return Bspline2::at(r, 0);
-    return Gimp::at(r, layout_.basis == Basis::gimp ? half_size : to_the_limit);
-  }
   double right_of(int node) const {
     const double offset = layout_.node(0, node) - position_;
     constexpr double round_off = 1e-9;  // [h]

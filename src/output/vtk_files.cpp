@@ -139,6 +139,12 @@ void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::pat
   throw RunError("cannot write " + path.string() + ": " + failure);
 }
 
+void write_lines(vtkPolyData* lines, double t, const std::filesystem::path& path, Compression compression) {
+  set_time(lines, t);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  write(writer, lines, path, compression);
+}
+
 }  // namespace
 
 std::string frame_file_name(const std::string& kind, std::size_t index, const std::string& extension) {
@@ -171,18 +177,14 @@ void write_membranes(const std::filesystem::path& path, const MembraneSnapshot& 
   const auto lines = make_lines(membranes.points, membranes.connectivity);
   add_fields(lines->GetCellData(), membranes.fields);
   add<vtkUnsignedCharArray>(lines->GetCellData(), "membrane", membranes.membrane);
-  set_time(lines, t);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  write(writer, lines, path, compression);
+  write_lines(lines, t, path, compression);
 }
 
 void write_rigid(const std::filesystem::path& path, const RigidSnapshot& rigid, double t, Compression compression) {
   const auto lines = make_lines(rigid.points, rigid.connectivity);
   add_fields(lines->GetPointData(), rigid.fields);
   add<vtkUnsignedCharArray>(lines->GetCellData(), "rigid", rigid.rigid);
-  set_time(lines, t);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  write(writer, lines, path, compression);
+  write_lines(lines, t, path, compression);
 }
 
 void write_collection(const std::filesystem::path& directory, const std::string& kind, const std::string& extension,

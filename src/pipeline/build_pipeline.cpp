@@ -59,8 +59,8 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool rigid_moves = std::any_of(scene.rigid.begin(), scene.rigid.end(), [](const RigidSpec& rigid) {
     return !std::holds_alternative<std::monostate>(rigid.motion);
   });
-  const Scene moved = rigid_moves ? scene : Scene{};
-  const Scene still = scene.still_fluids.empty() ? Scene{} : scene;
+  const std::vector<RigidSpec> rigid = scene.rigid;
+  const std::vector<StillFluid> fluids = still_fluids(scene);
   const bool viscous = !scene.viscous_boundaries.empty();
   const std::vector<PumpSpec> pumps = scene.pumps;
   const RelaxationSpec relaxation = scene.relaxation;
@@ -95,7 +95,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { if (!g.enclosed.empty()) enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
-  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [still](S& s, Fields& f, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_membrane_contacts(s, c.dt); for (const G& g : f) add_fluid_loads(s, g); add_still_fluids(still, s); });
+  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [fluids](S& s, Fields& f, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_membrane_contacts(s, c.dt); for (const G& g : f) add_fluid_loads(s, g); add_still_fluids(fluids, s); });
   add(bare_contact,  "particle_contact",  "particles at rigid bodies -> nodal sums or force, slip",    [](S& s, G& g, const C& c) { contact_to_grid(s, g, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(viscous,       "boundaries_to_grid", "points of viscous boundaries -> nodal sums or force",      [](S& s, G& g, const C& c) { boundaries_to_grid(s, g, c.dt); });
@@ -110,7 +110,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(viscous,       "grid_to_boundaries", "nodal velocity -> points of viscous boundaries",           [](S& s, G& g, const C& c) { grid_to_boundaries(s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
-  add(rigid_moves,   "move_rigid_bodies", "time -> pose and rates of rigid bodies",                    [moved](S& s, Fields&, const C& c) { move_rigid_bodies(moved, c.dt, s); });
+  add(rigid_moves,   "move_rigid_bodies", "time -> pose and rates of rigid bodies",                    [rigid](S& s, Fields&, const C& c) { move_rigid_bodies(rigid, c.dt, s); });
   add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps, g_vector](S& s, Fields&, const C& c) { pump_fluid(pumps, g_vector, c, s); });
   add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, Fields&, const C&) { damp_kinetically(relaxation, g_vector, s); });
   // clang-format on

@@ -51,16 +51,16 @@ template <int Dim>
 double contact_dt(const State<Dim>& state, double h) {
   constexpr double most = 0.5;  // of springs on mass that moves with its cell; beyond it contact gains energy
   double dt = std::numeric_limits<double>::infinity();
-  for (const RigidContact<Dim>& contact : state.rigid_contacts) {
-    const double mass = reference_density(touching_body(state, contact).material) * h;
+  const auto limit = [&](const auto& contact, double mass) {
     dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
-  }
+  };
+  for (const RigidContact<Dim>& contact : state.rigid_contacts)
+    limit(contact, reference_density(touching_body(state, contact).material) * h);
   for (const MembraneContact& contact : state.membrane_contacts) {
     double of_both = 0;  // 1 / m + 1 / m, as two bodies on one spring have it
     for (const std::string& name : contact.between)
       of_both += 1 / (density_beside(state, find_named(state.membranes, name)) * h);
-    const double mass = 1 / of_both;
-    dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
+    limit(contact, 1 / of_both);
   }
   return dt;
 }

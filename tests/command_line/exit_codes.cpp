@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop::test;
 
@@ -17,11 +18,9 @@ void check_usage(const std::vector<std::string>& arguments, const std::string& s
   CAPTURE(outcome.err);
   CHECK(outcome.code == 2);
   CHECK(outcome.out.empty());
-  CHECK(outcome.err.find(says) != std::string::npos);
+  CHECK(contains(outcome.err, says));
   CHECK(outcome.err.size() < 300);  // a message, not a dump
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

@@ -2,12 +2,11 @@
 #include <doctest/doctest.h>
 
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop::test;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t number = 0;

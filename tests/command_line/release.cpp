@@ -12,17 +12,16 @@ namespace {
 
 /// The worked example of CUR 217, in water.
 Outcome example(const Words& more) {
-  Words arguments{"release", "--perimeter", "18.3", "--area", "10.8", "--density", "1990", "--water-density", "1000"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_program(arguments);
+  const Words arguments{"release", "--perimeter",     "18.3", "--area", "10.8", "--density",
+                        "1990",    "--water-density", "1000"};
+  return run_program(arguments + more);
 }
 
 /// 9 m2 at 18 kN/m3 in air.
 Outcome in_air(const Words& more) {
-  Words arguments{"release",   "--perimeter",     "15.77",           "--area", "9",
-                  "--density", "1834.8623853211", "--water-density", "0"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_program(arguments);
+  const Words arguments{"release",   "--perimeter",     "15.77",           "--area", "9",
+                        "--density", "1834.8623853211", "--water-density", "0"};
+  return run_program(arguments + more);
 }
 
 const Words barge{"--hinge-radius", "2.8", "--wall-slope", "35", "--friction", "0.3"};

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop::test;
 
@@ -11,8 +12,6 @@ namespace {
 
 const std::string scene = "cases/hydrostatic_column.toml";
 const std::vector<std::string> settings{"time.end=0.1", "grid.spacing=0.5"};
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

@@ -28,11 +28,9 @@ void check_vector(const Vec<2>& value, const Vec<2>& expected) {
 
 /// One body that has moved for `steps` of `dt` by its motion.
 State<2> after(const RigidSpec& spec, double dt, int steps) {
-  Scene scene;
-  scene.rigid = {spec};
   State<2> state;
   state.rigid = {make_rigid_body(spec, domain)};
-  for (int k = 0; k < steps; ++k) move_rigid_bodies(scene, dt, state);
+  for (int k = 0; k < steps; ++k) move_rigid_bodies(std::vector{spec}, dt, state);
   return state;
 }
 
@@ -121,16 +119,14 @@ TEST_CASE("A table of angles turns, a table of displacements shifts, both at res
 
 TEST_CASE("A body whose motion is held stays where it is, and has no rates") {
   const RigidSpec spec{"it", CapsuleShape{{0, 0}, {0, 0}, 1}, TranslationMotionSpec{{0, -2}}, {}};
-  Scene scene;
-  scene.rigid = {spec};
   State<2> state = after(spec, 0.5, 2);
   CHECK(state.rigid[0].velocity[1] == doctest::Approx(-2).epsilon(1e-12));
   state.rigid[0].moving = false;
-  move_rigid_bodies(scene, 0.5, state);
+  move_rigid_bodies(std::vector{spec}, 0.5, state);
   CHECK(state.rigid[0].displacement[1] == doctest::Approx(-2).epsilon(1e-12));
   CHECK(state.rigid[0].velocity[1] == 0);
   state.rigid[0].moving = true;
-  move_rigid_bodies(scene, 0.5, state);
+  move_rigid_bodies(std::vector{spec}, 0.5, state);
   CHECK(state.rigid[0].displacement[1] == doctest::Approx(-3).epsilon(1e-12));
 }
 

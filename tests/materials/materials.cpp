@@ -28,6 +28,7 @@ TEST_CASE("Moduli, wave speed and viscosity follow from the scene's constants") 
   CHECK(std::get<LinearElastic>(solid).bulk_modulus == doctest::Approx(10e6 / 1.5));
   CHECK(std::get<LinearElastic>(solid).shear_modulus == doctest::Approx(4e6));
   CHECK(wave_speed(solid) == doctest::Approx(std::sqrt(12e6 / 3000)));
+  CHECK(impedance(solid) == doctest::Approx(std::sqrt(12e6 * 3000)));
   CHECK(kinematic_viscosity(solid) == 0);
 }
 

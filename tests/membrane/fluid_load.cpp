@@ -53,7 +53,7 @@ TEST_CASE("What a still fluid lifts is the weight of the fluid displaced, in eit
       if (clockwise)
         for (auto& component : square.membrane().x) std::reverse(component.begin(), component.end());
       CHECK(sense_of(square.membrane()) == (clockwise ? -1 : 1));
-      add_still_fluids(square.scene, square.state);
+      add_still_fluids(still_fluids(square.scene), square.state);
       const double depth = std::clamp(surface - 3, 0.0, 2.0);
       CHECK(std::abs(square.force(1) - gamma * 2 * depth) < 1e-9);
       CHECK(std::abs(square.force(0)) < 1e-9);
@@ -62,7 +62,7 @@ TEST_CASE("What a still fluid lifts is the weight of the fluid displaced, in eit
 
 TEST_CASE("The push on a wall that is partly wet: gamma d^2 / 2, at a third of the depth") {
   Submerged square(4.2);
-  add_still_fluids(square.scene, square.state);
+  add_still_fluids(still_fluids(square.scene), square.state);
   const Array<double>& load = square.membrane().load[0];
   const double push = 1e4 * 1.2 * 1.2 / 2;
   CHECK(load[1] + load[2] == doctest::Approx(-push).epsilon(1e-12));      // the right edge, from node 1 up to 2
@@ -72,6 +72,6 @@ TEST_CASE("The push on a wall that is partly wet: gamma d^2 / 2, at a third of t
 TEST_CASE("Still fluids press only on the membrane that they stand around") {
   Submerged square(9);
   square.scene.still_fluids[0].membrane = "another";
-  add_still_fluids(square.scene, square.state);
+  add_still_fluids(still_fluids(square.scene), square.state);
   for (const auto& component : square.membrane().load) CHECK(component == Array<double>(4, 0.0));
 }

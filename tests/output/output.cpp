@@ -8,6 +8,7 @@
 #include "output/text.hpp"
 #include "support/scene_files.hpp"
 #include "support/small_state.hpp"
+#include "support/text.hpp"
 
 #include <doctest/doctest.h>
 
@@ -18,6 +19,7 @@
 #include <string>
 
 using namespace geodrop;
+using geodrop::test::contains;
 
 namespace {
 
@@ -81,8 +83,6 @@ Summary run_whole(const Scene& scene, const std::filesystem::path& directory) {
   step_until(output, state, scene.time.end);
   return output.finish(Frame<2>(state), statistics_of(RunStatus::done));
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t count_lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

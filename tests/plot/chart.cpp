@@ -3,6 +3,7 @@
 
 #include "plot/csv_table.hpp"
 #include "support/scene_files.hpp"
+#include "support/text.hpp"
 
 #include <geodrop/error.hpp>
 
@@ -14,10 +15,9 @@
 #include <limits>
 
 using namespace geodrop;
+using geodrop::test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Chart parabola(double end_value = 4) {
   return {"curves", {{"one", "x [m]", "y [m]", {{"measured", {0, 1, 2}, {0, 1, end_value}, SeriesStyle::line}}}}, 1};

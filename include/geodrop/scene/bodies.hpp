@@ -1,0 +1,51 @@
+// Bodies and the membranes around them.
+#pragma once
+
+#include <geodrop/error.hpp>
+#include <geodrop/scene/initial.hpp>
+#include <geodrop/scene/shapes.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// Where the mean stress of a body acts from: the cell average (cures locking and noise), each particle, or the nodal
+/// average of tri3 and tet4 (the paper's cure), or cells cut exactly by the membrane around (enclosed/enclosed_fluid).
+enum class PressureSupport { cell, particle, nodal, enclosed };
+
+struct BodySpec {
+  std::string name;
+  std::string material;
+  Shape shape;
+  std::vector<std::string> minus;   ///< bodies whose shapes are cut out of this one
+  int particles_per_cell_axis = 2;  ///< particles per cell and axis [-]
+  double jitter = 0;                ///< random offset, fraction of the particle spacing [-]
+  std::uint64_t jitter_seed = 0;
+  InitialVelocity initial_velocity;
+  InitialStress initial_stress;
+  PressureSupport pressure = PressureSupport::cell;
+  int layers = 1;          ///< horizontal bands that colour the picture
+  double shift_speed = 0;  ///< v0 of particle shifting [m/s]
+  bool shift = false;      ///< particle shifting (fluids only)
+  SourceRef at;
+  bool operator==(const BodySpec&) const = default;
+};
+
+struct MembraneSpec {
+  std::string name;
+  std::string body;           ///< lies on this body's outline
+  std::vector<Point> points;  ///< polyline [m]; empty: the whole outline, closed
+  bool closed = true;
+  double axial_stiffness = 0;    ///< J [N/m]
+  double mass_per_area = 0;      ///< [kg/m2]
+  double strength = 0;           ///< [N/m]
+  double slack = 0;              ///< rest length / drawn length - 1 [-]
+  double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
+  int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
+  SourceRef at;
+  bool operator==(const MembraneSpec&) const = default;
+};
+
+}  // namespace geodrop

@@ -1,0 +1,80 @@
+// What bodies start from: stress, velocity, and the exact solutions that they may follow.
+#pragma once
+
+#include <geodrop/error.hpp>
+#include <geodrop/scene/shapes.hpp>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace geodrop {
+
+/// Still fluid below `surface`; p = K (exp(rho0 g d / K) - 1) at depth d, the exact weakly compressible column.
+struct HydrostaticSpec {
+  std::string fluid;   ///< material name of a Newtonian fluid
+  double surface = 0;  ///< level of the free surface [m]
+  bool operator==(const HydrostaticSpec&) const = default;
+};
+/// Zero stress at the start.
+struct ZeroStressSpec {
+  bool operator==(const ZeroStressSpec&) const = default;
+};
+/// Soil at rest below its own level surface, under a fluid if `fluid` is given.
+struct K0StressSpec {
+  double surface = 0;                    ///< level of the soil surface [m]
+  double k0 = 0;                         ///< horizontal over vertical effective stress [-]
+  std::optional<HydrostaticSpec> fluid;  ///< gives overburden and pore pressure
+  bool operator==(const K0StressSpec&) const = default;
+};
+/// Isotropic total stress equal to the pressure of the still fluid (a drained bag: effective stress -p I; undrained:
+/// pore pressure p).
+struct FluidPressureSpec {
+  HydrostaticSpec fluid;
+  bool operator==(const FluidPressureSpec&) const = default;
+};
+/// Velocity or stress of the exact solution that the body follows, see ExactSpec.
+struct FromExactSpec {
+  bool operator==(const FromExactSpec&) const = default;
+};
+using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec, FromExactSpec>;
+
+/// The same velocity everywhere (also what `type = "rest"` becomes).
+struct UniformVelocitySpec {
+  Point value;  ///< [m/s]
+  bool operator==(const UniformVelocitySpec&) const = default;
+};
+/// First mode of a bar fixed at coordinate 0 and free at `length`: v = amplitude sin(pi x / (2 length)) along `axis`.
+struct BarFirstModeSpec {
+  double amplitude = 0;  ///< velocity of the free end [m/s]
+  int axis = 0;          ///< 0: x, 1: y, 2: z
+  double length = 0;     ///< [m]
+  bool operator==(const BarFirstModeSpec&) const = default;
+};
+using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec, FromExactSpec>;
+
+// Exact solutions. What each means stands in exact.hpp.
+struct AxisAlignedMmsSpec {
+  double amplitude = 0;  ///< A [m]
+  double length = 0;     ///< of a wave [m]
+  bool operator==(const AxisAlignedMmsSpec&) const = default;
+};
+struct TaylorGreenSpec {
+  double speed = 0;   ///< U [m/s]
+  double length = 0;  ///< of a wave, two vortices [m]
+  bool operator==(const TaylorGreenSpec&) const = default;
+};
+struct UniformMotionSpec {
+  Point velocity;  ///< [m/s]
+  Point stretch;   ///< present over unstrained length [-]
+  bool operator==(const UniformMotionSpec&) const = default;
+};
+/// A solution that a body follows: what it may start from, is driven by, and can be compared with.
+struct ExactSpec {
+  std::string body;
+  std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec> solution;
+  SourceRef at;
+  bool operator==(const ExactSpec&) const = default;
+};
+
+}  // namespace geodrop

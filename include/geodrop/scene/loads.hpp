@@ -1,0 +1,37 @@
+// What acts on bodies and membranes from outside of the simulated domain.
+#pragma once
+
+#include <geodrop/error.hpp>
+#include <geodrop/scene/shapes.hpp>
+
+#include <string>
+
+namespace geodrop {
+
+/// Fluid at rest outside of a closed membrane: its pressure acts on the membrane, nothing moves it.
+struct StillFluidSpec {
+  std::string membrane;
+  std::string fluid;   ///< material name of a Newtonian fluid
+  double surface = 0;  ///< level of its surface [m]
+  SourceRef at;
+  bool operator==(const StillFluidSpec&) const = default;
+};
+/// A line on a body's outline that lets waves out, see boundary/viscous_boundary.
+struct ViscousBoundarySpec {
+  std::string name;
+  std::string body;
+  Point from, to;           ///< ends of the line [m]
+  double spring_depth = 0;  ///< thickness of the layer of the same ground that its spring stands for [m]
+  SourceRef at;
+  bool operator==(const ViscousBoundarySpec&) const = default;
+};
+/// Fluid that is pumped into a body while from <= t < to: its rest volume grows.
+struct PumpSpec {
+  std::string body;
+  double rate = 0;          ///< rest volume per time [m3/s], per metre of depth in 2D [m2/s]
+  double from = 0, to = 0;  ///< [s]
+  SourceRef at;
+  bool operator==(const PumpSpec&) const = default;
+};
+
+}  // namespace geodrop

@@ -1,0 +1,102 @@
+// What a scene measures: probes, results, expectations.
+#pragma once
+
+#include <geodrop/error.hpp>
+#include <geodrop/scene/initial.hpp>
+#include <geodrop/scene/shapes.hpp>
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace geodrop {
+
+/// A massless point that moves with the grid velocity; columns position_*_m, displacement_*_m, velocity_*_m_s.
+struct TracerSpec {
+  std::string name;
+  Point position;  ///< [m]
+  bool operator==(const TracerSpec&) const = default;
+};
+/// rms over the particles of a body of pressure minus still-fluid pressure; column pressure_error_rms_Pa.
+struct HydrostaticProbeSpec {
+  std::string name;
+  std::string body;
+  HydrostaticSpec still;
+  bool operator==(const HydrostaticProbeSpec&) const = default;
+};
+/// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
+/// tension_max_N_m.
+struct SpanProbeSpec {
+  std::string name;
+  std::string membrane;
+  Point from, to;  ///< on the membrane as drawn [m]
+  bool operator==(const SpanProbeSpec&) const = default;
+};
+/// Spread of the total vertical stress over the particles of a body; columns vertical_stress_p01_Pa (1 %), _p50_Pa,
+/// _p99_Pa.
+struct StressProbeSpec {
+  std::string name;
+  std::string body;
+  bool operator==(const StressProbeSpec&) const = default;
+};
+/// Forces over a section x = position through a body and its membrane, consistent with the grid (2D): columns
+/// soil_force_N_m (compression positive), membrane_force_N_m (tension positive), net_force_N_m, their difference.
+struct SectionProbeSpec {
+  std::string name;
+  std::string body;
+  double position = 0;  ///< [m]
+  bool operator==(const SectionProbeSpec&) const = default;
+};
+/// Difference of a body from the exact solution that it follows.
+struct ExactProbeSpec {
+  std::string name;
+  std::string body;
+  bool operator==(const ExactProbeSpec&) const = default;
+};
+/// Shape, tension and pressure of a closed membrane full of fluid, beside those of the closed form (geotube.hpp).
+struct GeotubeProbeSpec {
+  std::string name;
+  std::string membrane;
+  std::string water;       ///< material of the water outside; empty: dry
+  double water_level = 0;  ///< of that over the tube's lowest point [m]
+  bool operator==(const GeotubeProbeSpec&) const = default;
+};
+struct ProbeSpec {
+  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
+               StressProbeSpec>
+      probe;
+  SourceRef at;
+  bool operator==(const ProbeSpec&) const = default;
+};
+
+/// How a column of history.csv becomes one number.
+enum class Reduction { last, min, max, mean, rms, percentile, period, first_time_below, rms_difference, r_squared };
+
+/// A named result of the run: `reduce` applied to `column` over rows with from <= t <= to, times `scale`.
+struct ResultSpec {
+  std::string name;    ///< ends in its unit, e.g. fall_velocity_max_m_s
+  std::string column;  ///< of history.csv
+  Reduction reduce = Reduction::last;
+  double from = 0;                                      ///< [s]
+  double to = std::numeric_limits<double>::infinity();  ///< [s]; infinite: to the end of the run
+  double scale = 1;
+  double percentile = 0;       ///< [0..100], for Reduction::percentile
+  double level = 0;            ///< for Reduction::first_time_below
+  std::string against;         ///< other column, for r_squared
+  std::vector<double> times;   ///< for rms_difference: compare at these times [s]
+  std::vector<double> values;  ///< ... with these values
+  SourceRef at;
+  bool operator==(const ResultSpec&) const = default;
+};
+/// An expectation that a run prints beside its result; met if |value - expected| <= tolerance.
+struct ExpectSpec {
+  std::string result;
+  double expected = 0;
+  double tolerance = 0;
+  std::string source;
+  SourceRef at;
+  bool operator==(const ExpectSpec&) const = default;
+};
+
+}  // namespace geodrop

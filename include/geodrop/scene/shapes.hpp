@@ -1,0 +1,34 @@
+// Shapes that a scene draws. Vectors have as many entries as the scene has dimensions.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace geodrop {
+
+using Point = std::vector<double>;  ///< coordinates or components [m, m/s, ...], size = dimension
+
+struct BoxShape {
+  Point lower, upper;  ///< [m]
+  bool operator==(const BoxShape&) const = default;
+};
+/// In 3D an ellipsoid with its axes along x, y, z.
+struct EllipseShape {
+  Point centre;           ///< [m]
+  Point semi_axes;        ///< [m]
+  double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes, 2D only [degree]
+  bool operator==(const EllipseShape&) const = default;
+};
+struct PolygonShape {
+  std::vector<Point> points;  ///< [m], simple polygon, either orientation
+  bool operator==(const PolygonShape&) const = default;
+};
+/// In 3D a half-space.
+struct HalfPlaneShape {
+  Point point;   ///< a point of the boundary [m]
+  Point normal;  ///< points out of the body
+  bool operator==(const HalfPlaneShape&) const = default;
+};
+using Shape = std::variant<BoxShape, EllipseShape, PolygonShape, HalfPlaneShape>;
+
+}  // namespace geodrop
