@@ -219,7 +219,9 @@ ExactSpec bind_exact(const Fields& f, SourceRef at) {
 ProbeSpec bind_probe(const Fields& f, SourceRef at) {
   if (f.text("type") == "exact") return {ExactProbeSpec{f.text("name"), f.text("body")}, at};
   if (f.text("type") == "hydrostatic") {
-    return {HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}, f.text("tips_of")}, at};
+    return {
+        HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}, f.text("tips_of")},
+        at};
   }
   if (f.text("type") == "span")
     return {SpanProbeSpec{f.text("name"), f.text("membrane"), f.point("from"), f.point("to")}, at};

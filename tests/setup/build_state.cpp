@@ -12,8 +12,8 @@ using namespace geodrop;
 TEST_CASE("The geotextile of the main case has the mass of its rest length, evenly, and no tension") {
   for (const double slack : {0.0, 0.07}) {
     CAPTURE(slack);
-    const Scene scene =
-        read_scene(source_path("cases/dump_kekerdom_mixture.toml"), {"membranes.geotextile.slack=" + std::to_string(slack)});
+    const Scene scene = read_scene(source_path("cases/dump_kekerdom_mixture.toml"),
+                                   {"membranes.geotextile.slack=" + std::to_string(slack)});
     const State<2> state = build_state<2>(scene);
     REQUIRE(state.membranes.size() == 1);
     const Membrane<2>& m = state.membranes[0];
