@@ -96,9 +96,9 @@ enum CellFlag : std::uint8_t {
 /// Integrals of 1, z, z^2 over the part of a face inside; z from -1/2 to 1/2 along it [h].
 using FaceMoments = std::array<double, 3>;
 
-/// The cells of a fluid inside a closed membrane (2D), see enclosed/. Local cells i + j nx of a box.
-struct EnclosedCells {
-  /// The part of an edge of the membrane in a cell, from and to as shares of the edge.
+/// The cells that a closed polygon cuts (2D), see membrane/cut_cells. Local cells i + j nx of a box.
+struct CutCells {
+  /// The part of an edge in a cell, from and to as shares of the edge.
   struct Piece {
     int cell, edge;
     double from, to;
@@ -107,11 +107,24 @@ struct EnclosedCells {
   double sense = 1;                         ///< 1: the nodes run anticlockwise, -1: clockwise
   Array<double> area;                       ///< share of a cell inside [-]
   Array<FaceMoments> right_face, top_face;  ///< between a cell and the next one along x, along y
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;                ///< in the order of the nodes
+
+  std::size_t size() const { return area.size(); }
+};
+
+/// The cells of a fluid inside a closed membrane (2D), see enclosed/.
+struct EnclosedCells : CutCells {
   Array<int> host;         ///< cell whose pressure and rate a cell shares
   Array<double> volume;    ///< of particles, at hosts [m3]
   Array<double> pressure;  ///< pi, at hosts [Pa]
   Array<double> rate;      ///< D_c of all cells, by the flat index of the grid [1/s]
+};
+
+/// A cell that a velocity field has a part of: a body across a sharp interface has the rest (2D), see interface/.
+struct PartCell {
+  int flat = 0;
+  int host = -1;  ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
+  std::array<std::array<double, 2>, 9> slope{};  ///< int grad N over the part, of the 3 x 3 nodes around, x fastest [m]
 };
 
 /// Everything that the stages of one step hand to each other: one velocity field. Cleared anew each step, so not part
@@ -157,6 +170,11 @@ struct Grid {
   std::array<double, 3> interior_value{};  ///< int N over the cells below, at, above a node, away from walls, h = 1
 
   std::vector<EnclosedCells> enclosed;  ///< of the bodies with PressureSupport::enclosed
+
+  // Only where fields meet at a sharp interface:
+  CutCells outline;                  ///< of the sharp membrane whose body moves with this field; else empty
+  Array<double> taken;               ///< share of each cell that bodies of other fields have [-]
+  std::vector<PartCell> part_cells;  ///< of which this field has a part
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };

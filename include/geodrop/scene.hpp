@@ -52,6 +52,8 @@ const BodySpec* find_body(const Scene& scene, const std::string& name);
 /// The exact solution that a body follows; null if it follows none.
 const ExactSpec* find_exact(const Scene& scene, const std::string& body);
 
+bool has_sharp_interface(const Scene& scene);
+
 /// What the two names of a contact stand for.
 struct ContactPair {
   enum class Kind { none, membrane_on_rigid, body_on_rigid, membranes } kind = Kind::none;

@@ -70,6 +70,7 @@ struct Membrane {
   std::string body;
   int field = 0;  ///< its body's
   bool closed = true;
+  bool sharp = false;                   ///< its body and what is around it meet at a sharp interface
   double axial_stiffness = 0;           ///< J [N/m]
   double strength = 0;                  ///< [N/m]
   int averaging_segments = 0;           ///< half width of the box mean
@@ -81,6 +82,9 @@ struct Membrane {
   Array<double> tension;                ///< segments, that acts: averaged twice [N/m]
   double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
   std::array<Array<double>, Dim> load;  ///< nodes: of contacts, of the weight inside [N]; else empty
+  std::string bed;                      ///< body around that a sharp membrane rubs on; empty: none
+  double bed_friction = 0;              ///< mu on it [-]
+  Array<double> water_pressure;         ///< segments: of what is around on a sharp interface [Pa]; else empty
 
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }

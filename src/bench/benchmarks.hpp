@@ -48,9 +48,9 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size);
 
 /// Sets the block moving: 0.15 c along every axis, so that it crosses a cell in about 16 steps, and a shear of
 /// +-0.03 c across its height. `direction` +1 or -1 turns both round. All motion and strain is taken back first: what a
-/// free block does after long shearing is no matter of speed, and corners of hat functions tear themselves off. Soil is put on its yield
-/// surface under 10 kPa, and goes on yielding at every point. Soil at rest has cohesion and K0 stress under 10 kPa,
-/// shears ten times less, and yields nowhere.
+/// free block does after long shearing is no matter of speed, and corners of hat functions tear themselves off. Soil is
+/// put on its yield surface under 10 kPa, and goes on yielding at every point. Soil at rest has cohesion and K0 stress
+/// under 10 kPa, shears ten times less, and yields nowhere.
 template <int Dim>
 void set_in_motion(const Benchmark& bench, const Scene& scene, double direction, State<Dim>& state);
 

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "../grid/blocks.hpp"
+#include "../grid/nearby_cells.hpp"
 #include "../kernels/kernels.hpp"
 #include "../kernels/slabs.hpp"
+#include "../membrane/cut_cells.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
 #include "../membrane/polygon.hpp"
-#include "cut_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -28,22 +29,9 @@ void for_each_enclosed(State& state, Grid& grid, F&& f) {
 /// A cell stands by itself if this share of it lies inside and is filled.
 constexpr double least_inside = 0.5, least_filled = 0.3;
 
-/// Offsets to the cells around, nearest first; a tube thinner than a cell has no cell nearby that stands by itself.
-/// The order is fixed: the largest of several whole cells would be another one at each step, by round-off, and the
-/// changing hosts would keep a tube in motion.
-std::vector<std::array<int, 2>> offsets_by_distance() {
-  constexpr int farthest = 3;
-  std::vector<std::array<int, 2>> offsets;
-  for (int y = -farthest; y <= farthest; ++y)
-    for (int x = -farthest; x <= farthest; ++x) offsets.push_back({x, y});
-  const auto square = [](const std::array<int, 2>& o) { return o[0] * o[0] + o[1] * o[1]; };
-  std::stable_sort(offsets.begin(), offsets.end(), [&](const auto& a, const auto& b) { return square(a) < square(b); });
-  return offsets;
-}
-
 /// A cell that does not stand by itself joins the nearest that does. Local indices.
 void choose_hosts(double cell_volume, EnclosedCells& cells) {
-  static const std::vector<std::array<int, 2>> nearby = offsets_by_distance();
+  static const std::vector<std::array<int, 2>> nearby = offsets_by_distance();  // a thin tube has no host any nearer
   const int nx = cells.count[0], ny = cells.count[1];
   const auto stands = [&](int c) {
     return cells.area[c] >= least_inside && cells.volume[c] >= least_filled * cell_volume;
@@ -99,11 +87,6 @@ struct Face {
   std::array<double, 6> weight;
 };
 
-/// int N_n over the part of a face inside, for the three nodes along it [h].
-std::array<double, 3> integrals_along(const FaceMoments& m) {
-  return {0.125 * m[0] - 0.5 * m[1] + 0.5 * m[2], 0.75 * m[0] - m[2], 0.125 * m[0] + 0.5 * m[1] + 0.5 * m[2]};
-}
-
 template <class F>
 void for_each_face(const GridLayout<2>& layout, const EnclosedCells& cells, F&& f) {
   const auto [nx, ny] = cells.count;
@@ -117,7 +100,7 @@ void for_each_face(const GridLayout<2>& layout, const EnclosedCells& cells, F&& 
         if (faces[c][0] <= 0 || cells.host[c] == cells.host[c + to_above]) continue;
         Face face{c, c + to_above, axis, {}, {}};
         const int flat = cells.first[0] + i + (cells.first[1] + j) * layout.stride[1];
-        const std::array<double, 3> integral = integrals_along(faces[c]);
+        const std::array<double, 3> integral = face_integrals(faces[c]);
         for (int n = 0; n < 3; ++n)
           for (int side = 0; side < 2; ++side) {
             face.node[2 * n + side] = flat + (n - 1) * along + side * across;
@@ -158,7 +141,7 @@ Array<double> outflow(const Body<2>& body, const Membrane<2>& membrane, const Gr
   });
   const auto v = node_velocities(membrane, grid);
   const auto& [x, y] = membrane.x;
-  for (const EnclosedCells::Piece& piece : cells.pieces) {
+  for (const CutCells::Piece& piece : cells.pieces) {
     const std::size_t k = piece.edge, next = end_of_edge(k, membrane.nodes());
     const double normal[] = {cells.sense * (y[next] - y[k]), cells.sense * (x[k] - x[next])};
     const double of_end = 0.5 * (piece.to * piece.to - piece.from * piece.from),
@@ -206,7 +189,7 @@ void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
 template <>
 void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
   for_each_enclosed(state, grid, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells& cells) {
-    for (const EnclosedCells::Piece& piece : cells.pieces) {
+    for (const CutCells::Piece& piece : cells.pieces) {
       const double pressure = cells.pressure[cells.host[piece.cell]];
       add_pressure({piece.from, piece.to, pressure, pressure}, cells.sense, piece.edge, membrane);
     }

@@ -35,13 +35,15 @@ int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, co
   return flat;
 }
 
-/// cell_fill := V / V_c, not yet smoothed.
+/// cell_fill := V / V_c, not yet smoothed; what bodies across a sharp interface have of a cell counts as full.
 template <int Dim>
 void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
   const double inv_measure = 1 / cell_measure(grid.layout);
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     for (int k = 0; k < count; ++k, ++cell[0])
       fill[begin + k] = grid.cell_volume[begin + k] * inv_measure / cell_width_product<Dim>(grid, cell);
+    if (!grid.taken.empty())
+      for (int k = begin; k < begin + count; ++k) fill[k] += grid.taken[k];
   });
 }
 
@@ -124,9 +126,10 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     const auto smooth = smoothed_fill<Dim>(grid.layout, fill, begin, count, cell);
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;
-      const bool filled = smooth[k] >= filled_ratio && grid.cell_volume[flat] > 0;
+      const bool holds = grid.cell_volume[flat] > 0, shared = !grid.taken.empty() && grid.taken[flat] > 0;
+      const bool filled = smooth[k] >= filled_ratio && (holds || shared);
       grid.cell_flags[flat] = filled ? cell_filled : 0;
-      grid.cell_pressure[flat] = filled ? grid.cell_pressure[flat] / grid.cell_volume[flat] : 0.0;
+      grid.cell_pressure[flat] = filled && holds ? grid.cell_pressure[flat] / grid.cell_volume[flat] : 0.0;
     }
   });
   if (shift) mark_shiftable(state, grid);

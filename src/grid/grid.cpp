@@ -149,7 +149,8 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
   // Contact pushes on the outermost nodes, which carry little: their impulses have to go to their neighbourhood.
-  if (change || !scene.contacts.empty() || (Dim == 3 && shift)) grid.force.assign(n, zero);
+  if (change || !scene.contacts.empty() || has_sharp_interface(scene) || (Dim == 3 && shift))
+    grid.force.assign(n, zero);
   if (change) grid.velocity_change.assign(n, zero);
   if (consistent) grid.mass_correction.assign(n, zero);
   if (shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; })) {
@@ -160,6 +161,7 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
     for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
     grid.interior_value = interior_cell(grid.layout.basis).value;
   }
+  if (has_sharp_interface(scene)) grid.taken.assign(n, 0.0);
   for (const BodySpec& body : bodies) {
     if (body.pressure != PressureSupport::enclosed) continue;
     grid.enclosed.emplace_back();

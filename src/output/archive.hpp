@@ -52,10 +52,10 @@ auto members(Part& part) {
                     unit_weight, weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure,
                     deviatoric_strain, gap, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
-    auto& [name, body, field, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass, rest_length,
-           strain, tension, tension_peak, load] = part;
-    return std::tie(name, body, field, closed, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
-                    rest_length, strain, tension, tension_peak, load);
+    auto& [name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
+           rest_length, strain, tension, tension_peak, load, bed, bed_friction, water_pressure] = part;
+    return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v,
+                    mass, rest_length, strain, tension, tension_peak, load, bed, bed_friction, water_pressure);
   } else if constexpr (is_rigid_body<Plain>) {
     auto& [name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement, angle_rate,
            velocity] = part;

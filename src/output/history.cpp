@@ -9,8 +9,10 @@
 #include <numbers>
 
 #include "geotube_probe.hpp"
+#include "pressure_probe.hpp"
 #include "section_probe.hpp"
 #include "span_probe.hpp"
+#include "strays.hpp"
 #include "text.hpp"
 
 namespace geodrop {
@@ -88,6 +90,14 @@ void list_membrane(Row& row, const std::string& name, const MembraneMeasures<Dim
   row.add(name + ".utilisation_max", membrane.utilisation_max);
 }
 
+/// Of sharp membranes, which are for the plane.
+void list_strays(Row& row, const Scene& scene, const State<2>* state) {
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m)
+    if (scene.membranes[m].interface == Interface::sharp)
+      row.add(scene.membranes[m].name + ".strays_m2", state ? strays_inside(*state, state->membranes[m]) : 0);
+}
+void list_strays(Row&, const Scene&, const State<3>*) {}
+
 /// Sums over all points in contact, in the step before.
 template <int Dim>
 void list_contact(Row& row, const std::string& name, const RigidContact<Dim>& contact) {
@@ -155,9 +165,12 @@ void list_tracer(Row& row, const std::string& name, const Tracer<Dim>& tracer) {
   row.add_vector(name + ".velocity", "m_s", tracer.v, Dim);
 }
 
-void list_pressure_error(Row& row, const std::string& name, const PressureError& error) {
-  row.add(name + ".pressure_error_rms_Pa", error.rms);
-  row.add(name + ".pressure_error_max_Pa", error.max);
+void list_pressure_error(Row& row, const HydrostaticProbeSpec& probe, const PressureError& error,
+                         const PressureSpread& spread) {
+  row.add(probe.name + ".pressure_error_rms_Pa", error.rms);
+  row.add(probe.name + ".pressure_error_max_Pa", error.max);
+  row.add(probe.name + ".pressure_error_p999_Pa", spread.elsewhere);
+  if (!probe.tips_of.empty()) row.add(probe.name + ".pressure_error_tips_p999_Pa", spread.tips);
 }
 
 /// The columns that the solution tells something about.
@@ -223,6 +236,7 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
   for (std::size_t m = 0; m < scene.membranes.size(); ++m)
     list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
                   state ? state->membranes[m].tension_peak : 0, scene.membranes[m].closed);
+  list_strays(row, scene, state);
   for (const RigidSpec& rigid : scene.rigid)
     if (!std::holds_alternative<std::monostate>(rigid.motion))
       list_rigid(row, rigid.name, state ? find_named(state->rigid, rigid.name) : RigidBody<Dim>{});
@@ -234,7 +248,8 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
     if (const auto* tracer = std::get_if<TracerSpec>(&spec.probe))
       list_tracer(row, tracer->name, state ? find_named(state->tracers, tracer->name) : Tracer<Dim>{});
     if (const auto* probe = std::get_if<HydrostaticProbeSpec>(&spec.probe))
-      list_pressure_error(row, probe->name, state ? measure(*probe, scene, *state) : PressureError{});
+      list_pressure_error(row, *probe, state ? measure(*probe, scene, *state) : PressureError{},
+                          state ? pressure_spread(scene, *probe, *state) : PressureSpread{});
     if (const auto* probe = std::get_if<StressProbeSpec>(&spec.probe))
       list_stress_spread<Dim>(row, probe->name, state ? &find_named(state->bodies, probe->body) : nullptr);
     if constexpr (Dim == 2) list_plane_probe(row, scene, spec, state);

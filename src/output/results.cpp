@@ -50,6 +50,8 @@ double reduce_series(const ResultSpec& spec, const Series& series, const History
       return rms_difference(series, spec.times, spec.values);
     case Reduction::r_squared:
       return r_squared(series, column_series(spec, spec.against, history));
+    case Reduction::slope:
+      return slope(series);
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -90,8 +92,16 @@ double reduce(const ResultSpec& spec, const HistoryTable& history) {
 
 std::vector<Result> reduce_all(const Scene& scene, const HistoryTable& history) {
   std::vector<Result> results;
-  for (const ResultSpec& spec : scene.results)
+  const auto time_of = [&](const std::string& event, double never) {
+    const auto found = std::find_if(results.begin(), results.end(), [&](const Result& r) { return r.name == event; });
+    return found == results.end() || std::isnan(found->value) ? never : found->value;
+  };
+  constexpr double always = std::numeric_limits<double>::infinity();
+  for (ResultSpec spec : scene.results) {
+    if (!spec.after.empty()) spec.from = std::max(spec.from, time_of(spec.after, always));
+    spec.to = std::min(spec.to, time_of(spec.before, always));
     results.push_back({spec.name, reduce(spec, history), unit_of_name(spec.name)});
+  }
   return results;
 }
 

@@ -81,6 +81,16 @@ double rms_difference(const Series& series, const std::vector<double>& times, co
   return rms(differences);
 }
 
+double slope(const Series& series) {
+  const double t_mean = mean(series.t), mean_value = mean(series.value);
+  double tt = 0, tv = 0;
+  for (std::size_t i = 0; i < series.t.size(); ++i) {
+    tt += (series.t[i] - t_mean) * (series.t[i] - t_mean);
+    tv += (series.t[i] - t_mean) * (series.value[i] - mean_value);
+  }
+  return tt > 0 ? tv / tt : not_told;
+}
+
 double r_squared(const Series& a, const Series& b) {
   std::vector<double> x, y;
   for (std::size_t i = 0, j = 0; i < a.t.size() && j < b.t.size();) {

@@ -26,4 +26,7 @@ double rms_difference(const Series& series, const std::vector<double>& times, co
 /// Square of Pearson's correlation of two series at their common times: 1 if one is a straight line of the other.
 double r_squared(const Series& a, const Series& b);
 
+/// Slope of the straight line with the least sum of squared differences [1/s].
+double slope(const Series& series);
+
 }  // namespace geodrop

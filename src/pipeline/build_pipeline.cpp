@@ -13,6 +13,9 @@
 #include "../grid/mass_correction.hpp"
 #include "../grid/momentum.hpp"
 #include "../grid/sort_particles.hpp"
+#include "../interface/interface_cells.hpp"
+#include "../interface/interface_constraint.hpp"
+#include "../interface/keep_sides.hpp"
 #include "../kernels/transfer_stages.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
@@ -59,6 +62,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool rigid_moves = std::any_of(scene.rigid.begin(), scene.rigid.end(), [](const RigidSpec& rigid) {
     return !std::holds_alternative<std::monostate>(rigid.motion);
   });
+  const bool sharp = has_sharp_interface(scene);
   const std::vector<RigidSpec> rigid = scene.rigid;
   const std::vector<StillFluid> fluids = still_fluids(scene);
   const bool viscous = !scene.viscous_boundaries.empty();
@@ -89,7 +93,10 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(!scene.stages.empty(), "scene_stages", "time -> bodies placed, rigid bodies moved or removed, damping", [in_time](S& s, Fields&, const C&) { enter_due_stages(in_time, s); });
   add(true,          "sort_particles",    "positions -> order of all particle arrays, active blocks", [](S& s, Fields& f, const C&) { sort_particles_if_due(s, f); });
   add(true,          "clear_grid",        "-> zero sums in active blocks",                             [](S&, G& g, const C&) { clear_grid(g); });
+  add(sharp,         "cut_cells",         "membrane nodes -> what both sides have of cells",           [](S& s, Fields& f, const C&) { cut_interface_cells(s, f); });
   add(cells,         "cell_pressure",     "volume, pressure -> cell pressure, fill, flags",            [shift](S& s, G& g, const C&) { if (g.cell_volume.empty()) return; sum_particles_in_cells(s, g); average_cell_pressure(s, g, shift); });
+  add(sharp,         "interface_pressure", "cut cells, volume -> pressure of their parts",             [](S& s, Fields& f, const C&) { share_interface_pressure(s, f); });
+  add(sharp,         "even_out_volumes",  "cell pressure -> volume ratio of fluid particles",          [](S& s, Fields& f, const C& c) { even_out_volumes(s, f, c.dt); });
   add(nodal_pressure, "nodal_pressure",   "volume, pressure -> mean pressure of nodes",                [](S& s, G& g, const C&) { if (!g.node_volume.empty()) average_nodal_pressure(s, g); });
   add(enclosed,      "enclosed_cells",    "volume, membrane nodes -> cut cells, their pressure",       [](S& s, G& g, const C&) { update_enclosed_cells(s, g); });
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
@@ -99,15 +106,19 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(bare_contact,  "particle_contact",  "particles at rigid bodies -> nodal sums or force, slip",    [](S& s, G& g, const C& c) { contact_to_grid(s, g, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(viscous,       "boundaries_to_grid", "points of viscous boundaries -> nodal sums or force",      [](S& s, G& g, const C& c) { boundaries_to_grid(s, g, c.dt); });
+  add(sharp,         "interface_force",   "pressure of parts of cells -> force",                       [](S&, Fields& f, const C&) { add_interface_force(f); });
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S&, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(g, gravity, c.dt); });
   add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S&, G& g, const C&) { correct_mass(g); });
+  add(sharp,         "join_interfaces",   "nodal velocities on both sides -> the same, with one normal velocity; pressure on membranes", [](S& s, Fields& f, const C& c) { join_interfaces(s, f, c.dt); });
   add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, Fields& f, const C& c) { measure_balance(g_vector, c.dt, s, f); });
   add(musl,          "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S&, G& g, const C&) { if (!g.cell_volume.empty()) cell_volume_rate(g); });
+  add(sharp,         "interface_rate",    "nodal velocities -> volume rate of parts of cells",         [](S&, Fields& f, const C&) { update_interface_rates(f); });
   add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { if (!g.node_volume.empty()) average_nodal_rate(s, g); });
   add(enclosed,      "enclosed_rate",     "nodal velocity -> volume rate of enclosed cells",           [](S& s, G& g, const C& c) { update_enclosed_rates(s, g, c.dt); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, Fields& f, const C& c) { grid_to_particles(solver, s, f, c.dt); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
+  add(sharp,         "keep_sides",        "membrane nodes -> positions of particles on the wrong side", [](S& s, Fields& f, const C&) { keep_sides(s, f); });
   add(viscous,       "grid_to_boundaries", "nodal velocity -> points of viscous boundaries",           [](S& s, G& g, const C& c) { grid_to_boundaries(s, g, c.dt); });
   add(has_tracers(scene), "grid_to_tracers", "nodal velocity -> tracers",                              [](S& s, G& g, const C& c) { grid_to_tracers(s, g, c.dt); });
   add(rigid_moves,   "move_rigid_bodies", "time -> pose and rates of rigid bodies",                    [rigid](S& s, Fields&, const C& c) { move_rigid_bodies(rigid, c.dt, s); });

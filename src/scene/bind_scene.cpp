@@ -159,6 +159,9 @@ MembraneSpec bind_membrane(const Fields& f, SourceRef at) {
   membrane.slack = f.real("slack");
   membrane.segments_per_cell = f.real("segments_per_cell");
   membrane.averaging_segments = f.integer("averaging_segments");
+  membrane.interface = f.choice<Interface>("interface");
+  membrane.bed = f.text("bed");
+  membrane.bed_friction = f.real("bed_friction");
   membrane.at = at;
   return membrane;
 }
@@ -216,7 +219,9 @@ ExactSpec bind_exact(const Fields& f, SourceRef at) {
 ProbeSpec bind_probe(const Fields& f, SourceRef at) {
   if (f.text("type") == "exact") return {ExactProbeSpec{f.text("name"), f.text("body")}, at};
   if (f.text("type") == "hydrostatic") {
-    return {HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}}, at};
+    return {
+        HydrostaticProbeSpec{f.text("name"), f.text("body"), {f.text("fluid"), f.real("surface")}, f.text("tips_of")},
+        at};
   }
   if (f.text("type") == "span")
     return {SpanProbeSpec{f.text("name"), f.text("membrane"), f.point("from"), f.point("to")}, at};
@@ -234,6 +239,8 @@ ResultSpec bind_result(const Fields& f, SourceRef at) {
   result.reduce = f.choice<Reduction>("reduce");
   result.from = f.real("from");
   result.to = f.real("to");
+  result.after = f.text("after");
+  result.before = f.text("before");
   result.scale = f.real("scale");
   result.percentile = f.real("percentile");
   result.level = f.real("level");

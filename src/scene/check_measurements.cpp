@@ -64,6 +64,17 @@ void check_result(const Scene& scene, const ResultSpec& result, const std::strin
   }
 }
 
+/// Windows begin and end with events that are known before.
+void check_window(const Scene& scene, std::size_t number, const std::string& key, Report& report) {
+  const ResultSpec& result = scene.results[number];
+  std::vector<std::string> events;
+  for (std::size_t i = 0; i < number; ++i)
+    if (scene.results[i].reduce == Reduction::first_time_below) events.push_back(scene.results[i].name);
+  for (const auto& [name, event] : {std::pair{".after", result.after}, std::pair{".before", result.before}})
+    if (!event.empty() && report.healthy(key + name))
+      check_reference(key + name, event, events, "results with reduce = \"first_time_below\" further up", report);
+}
+
 /// A geotube is a closed membrane around its fill.
 void check_tube(const Scene& scene, const GeotubeProbeSpec& tube, const std::string& key, Report& report) {
   for (const MembraneSpec& membrane : scene.membranes)
@@ -75,6 +86,8 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
   if (const auto* still = std::get_if<HydrostaticProbeSpec>(&probe.probe)) {
     check_reference(key + ".body", still->body, names_of(scene.bodies), "bodies", report);
     check_fluid(scene, key + ".fluid", still->still.fluid, report);
+    if (!still->tips_of.empty())
+      check_reference(key + ".tips_of", still->tips_of, names_of(scene.membranes), "membranes", report);
     return;
   }
   if (const auto* exact = std::get_if<ExactProbeSpec>(&probe.probe)) {
@@ -121,6 +134,7 @@ void check_measurements(const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.results.size(); ++i) {
     const std::string& key = report.element("results", i);
     check_result(scene, scene.results[i], key, report);
+    check_window(scene, i, key, report);
     if (!scene.results[i].name.empty() && !names.insert(scene.results[i].name).second) {
       report.add(key + ".name", '"' + scene.results[i].name + "\", the name of another result",
                  "a name that no other result has");

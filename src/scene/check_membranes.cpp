@@ -4,6 +4,8 @@
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
 
+#include <algorithm>
+
 namespace geodrop {
 namespace {
 
@@ -54,6 +56,49 @@ void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std
                  " segments: the mean is over 2 averaging_segments + 1 of them");
 }
 
+/// Friction needs a bed, and a bed a membrane that slips on it.
+void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (!report.healthy(key + ".interface") || !report.healthy(key + ".bed_friction")) return;
+  if (membrane.bed.empty() && membrane.bed_friction > 0)
+    report.add(key + ".bed_friction", to_text(membrane.bed_friction) + " without a bed", "bed_friction with bed only");
+  if (membrane.bed.empty()) return;
+  if (membrane.interface != Interface::sharp)
+    report.add(key + ".bed", '"' + membrane.bed + "\" of a membrane that sticks to what is around",
+               "bed with interface = \"sharp\" only");
+  else
+    check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
+}
+
+/// Both sides of a sharp interface have pressures of cells, and cells are knot spans of one size.
+void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
+    return;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    report.add(key + ".interface", "\"sharp\" " + found, allowed);
+  };
+  const auto sharp = [&](const std::string& body) {
+    return std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& other) {
+      return other.body == body && other.interface == Interface::sharp;
+    });
+  };
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
+    refuse("on a grid whose cells are not knot spans of one size", "sharp with basis = \"bspline2\" and no zones");
+  else if (scene.solver.transfer == Transfer::musl)
+    refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
+  else if (!membrane.closed)
+    refuse("on an open membrane", "sharp with closed = true");
+  else if (sharp(membrane.body) > 1)
+    refuse("on a second membrane of \"" + membrane.body + '"', "one sharp membrane for each body");
+  else if (body && body->pressure != PressureSupport::cell)
+    refuse("around a body whose pressure is not that of cells",
+           "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
+  else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
+             return sharp(other.name) == 0 && other.pressure == PressureSupport::cell;
+           }))
+    refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
+}
+
 }  // namespace
 
 void check_membranes(const Scene& scene, Report& report) {
@@ -67,6 +112,8 @@ void check_membranes(const Scene& scene, Report& report) {
     if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
     check_averaging(scene, membrane, key, report);
+    check_bed(scene, membrane, key, report);
+    if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }
 }
 

@@ -24,6 +24,11 @@ const ExactSpec* find_exact(const Scene& scene, const std::string& body) {
   return find_by(&ExactSpec::body, scene.exact, body);
 }
 
+bool has_sharp_interface(const Scene& scene) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                     [](const MembraneSpec& membrane) { return membrane.interface == Interface::sharp; });
+}
+
 ContactPair contact_pair(const Scene& scene, const ContactSpec& contact) {
   const auto& [a, b] = contact.between;
   const auto is_membrane = [&](const std::string& name) {

@@ -13,6 +13,10 @@ std::string body_of_membrane(const Scene& scene, const std::string& name) {
 }
 
 bool parts(const Scene& scene, const std::string& body) {
+  const bool sharp = std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+    return membrane.body == body && membrane.interface == Interface::sharp;
+  });
+  if (sharp) return true;
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const ContactSpec& contact) {
     const std::string one = body_of_membrane(scene, contact.between[0]);
     const std::string other = body_of_membrane(scene, contact.between[1]);

@@ -147,6 +147,10 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   }
   membrane.strain.assign(segments, 0.0);
   membrane.tension.assign(segments, 0.0);
+  membrane.sharp = spec.interface == Interface::sharp;
+  membrane.bed = spec.bed;
+  membrane.bed_friction = spec.bed_friction;
+  if (membrane.sharp) membrane.water_pressure.assign(segments, 0.0);
   return membrane;
 }
 

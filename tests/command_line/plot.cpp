@@ -17,7 +17,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("plot draws position, velocity, tension and energy of a run, and follows its values") {
-  const SceneRun run("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.1"});
+  const SceneRun run("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5", "time.end=0.1"});
   REQUIRE(run.outcome().code == 0);
   const std::string directory = run.file("").string();
   const Outcome outcome = run_program({"plot", directory});

@@ -78,11 +78,11 @@ TEST_CASE("Graded kernels on equal cells give what uniform ones give: water, shi
 }
 
 TEST_CASE("Graded kernels on equal cells give what uniform ones give: soil, water, membrane, blend") {
-  check_idle_zones<2>("cases/dump_kekerdom.toml", {"grid.spacing=0.5"}, 30);
+  check_idle_zones<2>("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5"}, 30);
 }
 
 TEST_CASE("Graded kernels on equal cells give what uniform ones give: MUSL") {
-  check_idle_zones<2>("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "solver.transfer=musl"}, 30);
+  check_idle_zones<2>("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5", "solver.transfer=musl"}, 30);
 }
 
 TEST_CASE("Graded kernels on equal cells give what uniform ones give: space") {

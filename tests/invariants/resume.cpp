@@ -11,7 +11,7 @@ using namespace geodrop::test;
 
 namespace {
 
-const std::string scene = "cases/dump_kekerdom.toml";
+const std::string scene = "cases/dump_kekerdom_mixture.toml";
 const std::vector<std::string> settings{"grid.spacing=0.5", "time.end=0.1"};
 
 /// All that a run leaves and that must not depend on interruptions.
@@ -75,6 +75,10 @@ TEST_CASE("On graded axes: stopped by --until and resumed on other threads, the 
 TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: stopped and resumed, the same") {
   // Stopped while the pump runs, springs of friction are stretched and a cycle of the relaxation is under way.
   check_resumed("tests/scenes/tube.toml", {"grid.spacing=0.2", "time.end=1.0"}, "0.031");
+}
+
+TEST_CASE("Sharp interface: stopped and resumed, the same") {
+  check_resumed("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.1"}, "0.031");
 }
 
 TEST_CASE("Sand with open voids: stopped and resumed, the same") {

@@ -12,7 +12,7 @@ namespace {
 
 /// The main case, coarse, with the container tilted and aside so that nothing is symmetric by itself.
 Scene tilted_scene(double side) {
-  return read_scene(source_path("cases/dump_kekerdom.toml"),
+  return read_scene(source_path("cases/dump_kekerdom_mixture.toml"),
                     {"grid.spacing=0.5", "bodies.container.shape.tilt_deg=" + std::to_string(20 * side),
                      "bodies.container.shape.centre=[" + std::to_string(3 * side) + ", 9.0]"});
 }

@@ -134,6 +134,36 @@ TEST_CASE("r squared") {
   CHECK(reduce(spec, history) == doctest::Approx(1 / 5.0));
 }
 
+TEST_CASE("slope of the best straight line") {
+  const ResultSpec spec = spec_of(Reduction::slope);
+  CHECK(reduce(spec, table_of({[](double t) { return 3 - 2 * t; }}, 0.5, 5)) == doctest::Approx(-2));
+  // 0 0 0 0 10 over 0..4: sum (t - 2) y = 20, sum (t - 2)^2 = 10
+  CHECK(reduce(spec, table_of({[](double t) { return t > 3 ? 10.0 : 0.0; }}, 1.0, 5)) == doctest::Approx(2));
+  CHECK(std::isnan(reduce(spec, table_of({[](double t) { return t; }}, 1.0, 1))));
+}
+
+TEST_CASE("windows that begin or end with an event") {
+  Scene scene = small_scene();
+  ResultSpec event = spec_of(Reduction::first_time_below), later = spec_of(Reduction::max), sooner = later;
+  event.name = "event_s";
+  event.level = 2.5;
+  later.name = "later_m";
+  later.after = "event_s";
+  sooner.name = "sooner_m";
+  sooner.reduce = Reduction::min;
+  sooner.before = "event_s";
+  scene.results = {event, later, sooner};
+  const HistoryTable falling = table_of({[](double t) { return 4 - t; }}, 1.0, 6);
+  auto results = reduce_all(scene, falling);
+  CHECK(results[0].value == doctest::Approx(1.5));
+  CHECK(results[1].value == 2);
+  CHECK(results[2].value == 3);
+  scene.results[0].level = -9;  // never
+  results = reduce_all(scene, falling);
+  CHECK(std::isnan(results[1].value));
+  CHECK(results[2].value == -1);
+}
+
 TEST_CASE("expectations are met up to their tolerance") {
   Scene scene = small_scene();
   scene.results = {spec_of(Reduction::last)};

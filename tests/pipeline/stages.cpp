@@ -33,10 +33,17 @@ TEST_CASE("Elastic solids with particle pressure have no stage of cells") {
   CHECK(stages("cases/gravity_column.toml") == elastic);
 }
 
-TEST_CASE("The main case has membranes on top of cell pressure") {
-  CHECK(stages("cases/dump_kekerdom.toml") == Names{"sort_particles", "clear_grid", "cell_pressure",
-                                                    "particles_to_grid", "membranes_to_grid", "momentum", "volume_rate",
-                                                    "grid_to_particles", "grid_to_membranes"});
+TEST_CASE("A sharp interface adds its stages") {
+  CHECK(stages("cases/ellipse_release.toml") ==
+        Names{"sort_particles", "clear_grid", "cut_cells", "cell_pressure", "interface_pressure", "even_out_volumes",
+              "particles_to_grid", "membranes_to_grid", "interface_force", "momentum", "join_interfaces", "volume_rate",
+              "interface_rate", "grid_to_particles", "grid_to_membranes", "keep_sides"});
+}
+
+TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
+  CHECK(stages("cases/dump_kekerdom_mixture.toml") == Names{"sort_particles", "clear_grid", "cell_pressure",
+                                                            "particles_to_grid", "membranes_to_grid", "momentum",
+                                                            "volume_rate", "grid_to_particles", "grid_to_membranes"});
 }
 
 TEST_CASE("A body force is a stage of its own, for manufactured solutions only") {

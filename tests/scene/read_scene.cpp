@@ -127,11 +127,16 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[0].slack == 0.01);
   CHECK(scene.membranes[0].segments_per_cell == 3);
   CHECK(scene.membranes[1].averaging_segments == 2);
+  CHECK(scene.membranes[0].interface == Interface::mixture);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
   REQUIRE(scene.probes.size() == 7);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
-  CHECK(std::get<HydrostaticProbeSpec>(scene.probes[1].probe) == HydrostaticProbeSpec{"still", "sea", {"water", 7}});
+  const auto& still = std::get<HydrostaticProbeSpec>(scene.probes[1].probe);
+  CHECK(still.name == "still");
+  CHECK(still.body == "sea");
+  CHECK(still.still == HydrostaticSpec{"water", 7});
+  CHECK(still.tips_of == "geotextile");
   CHECK(std::get<ExactProbeSpec>(scene.probes[2].probe) == ExactProbeSpec{"error", "pad"});
   CHECK(std::get<GeotubeProbeSpec>(scene.probes[3].probe) == GeotubeProbeSpec{"tube", "geotextile", "water", 1.0});
   CHECK(std::get<SectionProbeSpec>(scene.probes[4].probe) == SectionProbeSpec{"middle", "wedge", 2.0});
@@ -150,10 +155,10 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(std::get<TaylorGreenSpec>(scene.exact[1].solution) == TaylorGreenSpec{1.0, 1.0});
   CHECK(std::get<UniformMotionSpec>(scene.exact[2].solution) == UniformMotionSpec{{0.0, -1.0}, {1.1, 1.0}});
   CHECK(std::get<BarFirstModeSpec>(scene.exact[3].solution) == BarFirstModeSpec{0.1, 1, 25.0});
-  REQUIRE(scene.results.size() == 10);
+  REQUIRE(scene.results.size() == 11);
   using enum Reduction;
-  const std::vector<Reduction> kinds{last,           min,      max, mean, rms, percentile, period, first_time_below,
-                                     rms_difference, r_squared};
+  const std::vector<Reduction> kinds{last,           min,       max,  mean, rms, percentile, period, first_time_below,
+                                     rms_difference, r_squared, slope};
   for (std::size_t i = 0; i < kinds.size(); ++i) CHECK(scene.results[i].reduce == kinds[i]);
   CHECK(scene.results[0].from == 0.5);
   CHECK(scene.results[0].to == 1.5);
@@ -165,6 +170,8 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.results[8].times == std::vector{0.5, 1.0});
   CHECK(scene.results[8].values == std::vector{4.0, 3.0});
   CHECK(scene.results[9].against == "energy.kinetic_J");
+  CHECK(scene.results[10].after == "landing_s");
+  CHECK(scene.results[10].before == "landing_s");
   REQUIRE(scene.expect.size() == 2);
   CHECK(scene.expect[1].expected == 4.5);
   CHECK(scene.expect[1].source == "computed");
@@ -173,7 +180,7 @@ TEST_CASE("membranes, probes and results as written") {
 TEST_CASE("the scene as run reads back as the same scene") {
   const std::vector<std::string> paths{every_key, source_path("cases/hydrostatic_column.toml"),
                                        source_path("cases/gravity_column.toml"), source_path("cases/elastic_bar.toml"),
-                                       source_path("cases/dump_kekerdom.toml")};
+                                       source_path("cases/dump_kekerdom_mixture.toml")};
   for (const std::string& path : paths) {
     CAPTURE(path);
     const Scene scene = read_scene(path, {"title=\"a \\\"quoted\\\" back\\\\slash\\n\"", "grid.spacing=0.05"});

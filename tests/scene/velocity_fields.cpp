@@ -38,7 +38,8 @@ Scene block_on_slab(const Overrides& overrides = {}) {
 }  // namespace
 
 TEST_CASE("Bodies without contact between them share one field") {
-  for (const char* file : {"cases/dump_kekerdom.toml", "cases/hydrostatic_column.toml", "tests/scenes/run_up.toml"}) {
+  for (const char* file :
+       {"cases/dump_kekerdom_mixture.toml", "cases/hydrostatic_column.toml", "tests/scenes/run_up.toml"}) {
     CAPTURE(file);
     const Scene scene = read_scene(source_path(file));
     CHECK(velocity_fields(scene) == std::vector<int>(scene.bodies.size(), 0));

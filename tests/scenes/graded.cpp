@@ -106,7 +106,7 @@ TEST_CASE("A container dumped in water refined around its path stays upright, wh
   const std::vector<std::string> common{"time.end=0.2", "membranes.geotextile.segments_per_cell=4.1"};
   const auto with = [&](std::vector<std::string> settings) {
     settings.insert(settings.end(), common.begin(), common.end());
-    return SceneRun("cases/dump_kekerdom.toml", settings);
+    return SceneRun("cases/dump_kekerdom_mixture.toml", settings);
   };
   const SceneRun graded =
       with({"grid.spacing=0.5", refine(zone("x", -1.5, 1.5, 0.25, 1.1) + ", " + zone("y", 5, 13, 0.25, 1.1))});

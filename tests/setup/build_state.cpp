@@ -12,8 +12,8 @@ using namespace geodrop;
 TEST_CASE("The geotextile of the main case has the mass of its rest length, evenly, and no tension") {
   for (const double slack : {0.0, 0.07}) {
     CAPTURE(slack);
-    const Scene scene =
-        read_scene(source_path("cases/dump_kekerdom.toml"), {"membranes.geotextile.slack=" + std::to_string(slack)});
+    const Scene scene = read_scene(source_path("cases/dump_kekerdom_mixture.toml"),
+                                   {"membranes.geotextile.slack=" + std::to_string(slack)});
     const State<2> state = build_state<2>(scene);
     REQUIRE(state.membranes.size() == 1);
     const Membrane<2>& m = state.membranes[0];
@@ -36,7 +36,7 @@ TEST_CASE("The geotextile of the main case has the mass of its rest length, even
 }
 
 TEST_CASE("The container of the main case has the area of the field test, and its weight") {
-  const State<2> state = build_state<2>(read_scene(source_path("cases/dump_kekerdom.toml")));
+  const State<2> state = build_state<2>(read_scene(source_path("cases/dump_kekerdom_mixture.toml")));
   double mass = 0;
   for (const double m : state.bodies[2].mass) mass += m;
   CHECK(mass == doctest::Approx(1631 * 130 / 24.5).epsilon(1e-3));
@@ -76,7 +76,7 @@ TEST_CASE("Arrays of absent features have length zero") {
   for (const auto& component : water.bodies[0].stress) CHECK(component.empty());
   CHECK(water.bodies[0].pore_pressure.empty());
   CHECK(water.tracers.empty());
-  const State<2> main_case = build_state<2>(read_scene(source_path("cases/dump_kekerdom.toml")));
+  const State<2> main_case = build_state<2>(read_scene(source_path("cases/dump_kekerdom_mixture.toml")));
   CHECK(main_case.bodies[1].pore_pressure.size() == main_case.bodies[1].size());  // undrained bed
   CHECK(main_case.bodies[2].pore_pressure.empty());                               // drained sand
   CHECK(main_case.drift < 0);

@@ -33,6 +33,11 @@ struct BodySpec {
   bool operator==(const BodySpec&) const = default;
 };
 
+/// How the body of a membrane and what is around it share cells.
+enum class Interface {
+  mixture,  ///< one velocity field: they stick to each other
+  sharp     ///< a field each, cut cells between them; they slip along the membrane (src/interface)
+};
 struct MembraneSpec {
   std::string name;
   std::string body;           ///< lies on this body's outline
@@ -44,6 +49,9 @@ struct MembraneSpec {
   double slack = 0;              ///< rest length / drawn length - 1 [-]
   double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
   int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
+  Interface interface = Interface::mixture;
+  std::string bed;          ///< body around that a sharp membrane rubs on; empty: none
+  double bed_friction = 0;  ///< on it [-]
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };

@@ -18,11 +18,12 @@ struct TracerSpec {
   Point position;  ///< [m]
   bool operator==(const TracerSpec&) const = default;
 };
-/// rms over the particles of a body of pressure minus still-fluid pressure; column pressure_error_rms_Pa.
+/// rms over the particles of a body of pressure minus still-fluid pressure; columns pressure_error_{rms,max,p999}_Pa.
 struct HydrostaticProbeSpec {
   std::string name;
   std::string body;
   HydrostaticSpec still;
+  std::string tips_of{};  ///< membrane near whose lowest and highest node errors count apart; empty: none
   bool operator==(const HydrostaticProbeSpec&) const = default;
 };
 /// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
@@ -71,7 +72,19 @@ struct ProbeSpec {
 };
 
 /// How a column of history.csv becomes one number.
-enum class Reduction { last, min, max, mean, rms, percentile, period, first_time_below, rms_difference, r_squared };
+enum class Reduction {
+  last,
+  min,
+  max,
+  mean,
+  rms,
+  percentile,
+  period,
+  first_time_below,
+  rms_difference,
+  r_squared,
+  slope
+};
 
 /// A named result of the run: `reduce` applied to `column` over rows with from <= t <= to, times `scale`.
 struct ResultSpec {
@@ -80,6 +93,7 @@ struct ResultSpec {
   Reduction reduce = Reduction::last;
   double from = 0;                                      ///< [s]
   double to = std::numeric_limits<double>::infinity();  ///< [s]; infinite: to the end of the run
+  std::string after, before;                            ///< results, times that narrow the window; empty: none
   double scale = 1;
   double percentile = 0;       ///< [0..100], for Reduction::percentile
   double level = 0;            ///< for Reduction::first_time_below

@@ -11,6 +11,11 @@
 namespace geodrop {
 
 /// Renews box, area, faces and pieces for the polygon with corners x, y [m], in either sense.
-void cut_cells(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, EnclosedCells& cells);
+void cut_cells(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, CutCells& cells);
+
+/// int N over the part of a face inside, for the three nodes along it; N of the quadratic spline [h].
+inline std::array<double, 3> face_integrals(const FaceMoments& m) {
+  return {0.125 * m[0] - 0.5 * m[1] + 0.5 * m[2], 0.75 * m[0] - m[2], 0.125 * m[0] + 0.5 * m[1] + 0.5 * m[2]};
+}
 
 }  // namespace geodrop

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../membrane/polygon.hpp"
+#include "polygon.hpp"
 
 namespace geodrop {
 namespace {
@@ -25,7 +25,7 @@ void add_crossings(double from, double length, std::vector<double>& cuts) {
 }
 
 /// Box of stored cell coordinates around the polygon, with a margin of one cell.
-void set_box(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, EnclosedCells& cells) {
+void set_box(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, CutCells& cells) {
   constexpr int margin = 1;
   for (int a = 0; a < 2; ++a) {
     const Array<double>& values = a == 0 ? x : y;
@@ -47,7 +47,7 @@ struct Edge {
 
 /// Cuts an edge at the faces of cells. What each piece adds to lines beside and below it is left in the entries of its
 /// own cell: faces are summed up later.
-void add_edge(const Edge& edge, int number, double sign, std::vector<double>& cuts, EnclosedCells& cells) {
+void add_edge(const Edge& edge, int number, double sign, std::vector<double>& cuts, CutCells& cells) {
   cuts.assign({0.0, 1.0});
   add_crossings(edge.u, edge.du, cuts);
   add_crossings(edge.v, edge.dv, cuts);
@@ -79,7 +79,7 @@ void sum_up(int first, int step, int count, Array<FaceMoments>& face, Array<doub
 
 }  // namespace
 
-void cut_cells(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, EnclosedCells& cells) {
+void cut_cells(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, CutCells& cells) {
   set_box(layout, x, y, cells);
   cells.sense = signed_area(x, y) > 0 ? 1 : -1;
   const double to_box[] = {0.5 + GridLayout<2>::pad - cells.first[0], 0.5 + GridLayout<2>::pad - cells.first[1]};

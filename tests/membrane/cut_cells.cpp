@@ -1,6 +1,6 @@
 // What a polygon cuts out of the cells: worked by hand, and for ragged outlines against slower ways to the same
 // numbers.
-#include "enclosed/cut_cells.hpp"
+#include "membrane/cut_cells.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,29 @@
+// Normal velocities on both sides of a sharp interface are one, weakly: for each stretch r of a membrane, about a cell
+// long,
+//
+//   sum_c in r sum_i b_ic . (v_i inside - v_i around) = 0
+//
+// Its multiplier p_r is the pressure on the membrane [Pa]: v_i inside -= dt p_r b_ir / m_i, around += dt p_r b_ir /
+// m_i. What light nodes cannot take goes to their neighbours, here as in grid/momentum, so that an even pressure
+// inside, around and on the membrane leaves no node with a force; b is spread in the same way, so that the system
+//
+//   S p = E v / dt,  S = E M^-1 E^T
+//
+// stays symmetric, and all impulses come in pairs. Conjugate gradients, from the pressures of the last step.
+//
+// On a bed, if the membrane names one, friction along it is at most mu (p_r - u_r), u_r the pressure of the water in
+// the pores. The membrane does not part from the bed, as it does not from water: p_r >= 0 there, by active sets, blew
+// up half a second after landing, p_r >= u_r at once.
+#pragma once
+
+#include <geodrop/grid.hpp>
+#include <geodrop/state.hpp>
+
+namespace geodrop {
+
+/// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
+/// Membrane::water_pressure.
+template <int Dim>
+void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
+
+}  // namespace geodrop

@@ -1,0 +1,107 @@
+#include "keep_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "outline_pieces.hpp"
+
+namespace geodrop {
+namespace {
+
+/// The edges of a membrane, and those near each cell of the box around its outline.
+class NearEdges {
+ public:
+  NearEdges(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells)
+      : layout_(layout), membrane_(membrane), cells_(cells), near_(cells.size()) {
+    for (const CutCells::Piece& piece : cells.pieces)
+      for (int n = 0; n < 9; ++n) {
+        const int i = piece.cell % cells.count[0] + n % 3 - 1, j = piece.cell / cells.count[0] + n / 3 - 1;
+        if (i < 0 || j < 0 || i >= cells.count[0] || j >= cells.count[1]) continue;
+        std::vector<int>& edges = near_[i + j * cells.count[0]];
+        if (edges.empty() || edges.back() != piece.edge) edges.push_back(piece.edge);
+      }
+  }
+
+  /// Where a point is to go that should be inside, or else outside; itself if it is there.
+  Vec<2> on_side(const Vec<2>& x, bool inside) const {
+    constexpr double distance = 1e-3;  // from the membrane [h]
+    const int i = layout_.base(0, x[0]) + GridLayout<2>::pad - cells_.first[0];
+    const int j = layout_.base(1, x[1]) + GridLayout<2>::pad - cells_.first[1];
+    if (i < 0 || j < 0 || i >= cells_.count[0] || j >= cells_.count[1]) return x;
+    Nearest nearest;
+    for (const int edge : near_[i + j * cells_.count[0]]) look_at(edge, x, nearest);
+    if (nearest.edge < 0) return x;
+    const Vec<2> normal = normal_at(nearest);
+    const bool is_inside = (x - nearest.point).dot(normal) < 0;
+    return is_inside == inside ? x : Vec<2>(nearest.point + (inside ? -1 : 1) * distance * layout_.h * normal);
+  }
+
+ private:
+  struct Nearest {
+    int edge = -1;
+    double share = 0;  ///< of the edge
+    double square = std::numeric_limits<double>::infinity();
+    Vec<2> point;
+  };
+
+  Vec<2> node(std::size_t k) const { return {membrane_.x[0][k], membrane_.x[1][k]}; }
+
+  void look_at(int edge, const Vec<2>& x, Nearest& nearest) const {
+    const Vec<2> from = node(edge), along = node(end_of_edge(edge, membrane_.nodes())) - from;
+    const double square = along.squaredNorm();
+    const double share = square > 0 ? std::clamp((x - from).dot(along) / square, 0.0, 1.0) : 0.0;
+    const Vec<2> point = from + share * along;
+    const double distance = (x - point).squaredNorm();
+    if (distance < nearest.square) nearest = {edge, share, distance, point};
+  }
+
+  /// Outward unit normal of an edge.
+  Vec<2> normal_of(std::size_t edge) const {
+    const Vec<2> along = node(end_of_edge(edge, membrane_.nodes())) - node(edge);
+    return cells_.sense * Vec<2>(along[1], -along[0]).normalized();
+  }
+  /// At a node, the mean of both edges: it tells sides apart there.
+  Vec<2> normal_at(const Nearest& nearest) const {
+    const std::size_t edge = nearest.edge, n = membrane_.nodes();
+    if (nearest.share > 0 && nearest.share < 1) return normal_of(edge);
+    const std::size_t other = nearest.share >= 1 ? end_of_edge(edge, n) : (edge + n - 1) % n;
+    return (normal_of(edge) + normal_of(other)).normalized();
+  }
+
+  const GridLayout<2>& layout_;
+  const Membrane<2>& membrane_;
+  const CutCells& cells_;
+  std::vector<std::vector<int>> near_;
+};
+
+/// Particles of a body in cells that it shares.
+void keep_body(const Grid<2>& grid, const NearEdges& edges, bool inside, Body<2>& body) {
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    const int cell = grid.layout.index({grid.layout.base(0, body.x[0][p]), grid.layout.base(1, body.x[1][p])});
+    if (grid.taken[cell] <= 0) continue;
+    const Vec<2> to = edges.on_side({body.x[0][p], body.x[1][p]}, inside);
+    for (int a = 0; a < 2; ++a) body.x[a][p] = to[a];
+  }
+}
+
+}  // namespace
+
+template <>
+void keep_sides(State<2>& state, const Grids<2>& grids) {
+  for (const Membrane<2>& membrane : state.membranes) {
+    if (!membrane.sharp || membrane.field == waiting) continue;
+    const NearEdges edges(grids.front().layout, membrane, grids[membrane.field].outline);
+    for (Body<2>& body : state.bodies)
+      if (body.field == membrane.field || body.field == 0) keep_body(grids[body.field], edges, body.field != 0, body);
+  }
+}
+
+// Sharp interfaces are for the plane: check_scene refuses them in space.
+template <>
+void keep_sides(State<3>&, const Grids<3>&) {}
+
+}  // namespace geodrop

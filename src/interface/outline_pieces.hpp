@@ -1,0 +1,51 @@
+// Integrals over the pieces of an outline, each within one cell.
+#pragma once
+
+#include <geodrop/grid.hpp>
+#include <geodrop/state.hpp>
+
+#include <array>
+#include <cmath>
+
+#include "../kernels/bases.hpp"
+#include "../membrane/polygon.hpp"
+
+namespace geodrop {
+
+struct PieceIntegral {
+  std::array<double, 9> mean{};    ///< of N of the 3 x 3 nodes around the cell, x fastest [-]
+  std::array<double, 2> normal{};  ///< outward, as long as the piece [m]
+};
+
+/// Three Gauss points are exact: N is of degree four along a straight line.
+inline PieceIntegral integrate_piece(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                                     const CutCells::Piece& piece) {
+  const auto& [x, y] = membrane.x;
+  const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
+  const double dx = x[to] - x[from], dy = y[to] - y[from], part = piece.to - piece.from;
+  const std::array<double, 2> centre = {layout.node(0, cells.first[0] + piece.cell % cells.count[0] - layout.pad),
+                                        layout.node(1, cells.first[1] + piece.cell / cells.count[0] - layout.pad)};
+  PieceIntegral out;
+  out.normal = {cells.sense * part * dy, -cells.sense * part * dx};
+  constexpr double offset[] = {-0.7745966692414834, 0, 0.7745966692414834}, weight[] = {5.0 / 18, 4.0 / 9, 5.0 / 18};
+  for (int g = 0; g < 3; ++g) {
+    const double share = piece.from + 0.5 * (1 + offset[g]) * part;
+    const ThreeWeights u = Bspline2::at((x[from] + share * dx - centre[0]) * layout.inv_h, 0);
+    const ThreeWeights v = Bspline2::at((y[from] + share * dy - centre[1]) * layout.inv_h, 0);
+    const double along_x[] = {u.w0, u.w1, u.w2}, along_y[] = {v.w0, v.w1, v.w2};
+    for (int n = 0; n < 9; ++n) out.mean[n] += weight[g] * along_x[n % 3] * along_y[n / 3];
+  }
+  return out;
+}
+
+/// Flat index of the cell of a piece, or of another local cell of the box.
+inline int flat_of(const GridLayout<2>& layout, const CutCells& cells, int c) {
+  return cells.first[0] + c % cells.count[0] + (cells.first[1] + c / cells.count[0]) * layout.stride[1];
+}
+
+/// Flat index of node n of the 3 x 3 around a cell.
+inline int node_around(const GridLayout<2>& layout, int flat, int n) {
+  return flat + n % 3 - 1 + (n / 3 - 1) * layout.stride[1];
+}
+
+}  // namespace geodrop

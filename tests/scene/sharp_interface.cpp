@@ -1,0 +1,40 @@
+// What scenes with a sharp interface must have.
+#include <doctest/doctest.h>
+
+#include "support/scene_files.hpp"
+
+using namespace geodrop;
+
+namespace {
+
+void check_refused(const std::vector<std::string>& overrides, const std::string& says) {
+  const std::string error = scene_error(source_path("cases/dump_kekerdom.toml"), overrides);
+  CAPTURE(error);
+  CHECK(error.find(says) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("A sharp interface needs cells of one size, their pressure on both sides, and a closed membrane") {
+  CHECK(scene_error(source_path("cases/dump_kekerdom.toml")).empty());
+  const std::string key = "membranes.geotextile.interface: found \"sharp\" ";
+  check_refused({"grid.basis=gimp"}, key + "on a grid whose cells are not knot spans");
+  check_refused({"grid.refine=[{axis='x',from=-2.0,to=2.0,spacing=0.125}]"},
+                key + "on a grid whose cells are not knot spans");
+  check_refused({"solver.transfer=musl"}, key + "with solver.transfer = \"musl\"");
+  check_refused({"bodies.container.pressure=particle"}, key + "around a body whose pressure is not that of cells");
+  check_refused({"bodies.water.pressure=particle", "bodies.bed.pressure=particle"}, key + "with nothing around");
+}
+
+TEST_CASE("A bed is a body that is there, and friction is on a bed") {
+  check_refused({"membranes.geotextile.bed=bad"}, "membranes.geotextile.bed: found \"bad\"");
+  check_refused({"membranes.geotextile.bed=\"\""}, "membranes.geotextile.bed_friction: found 0.5 without a bed");
+  check_refused({"membranes.geotextile.interface=mixture"}, "membranes.geotextile.bed");
+}
+
+TEST_CASE("Windows of results refer to events further up") {
+  check_refused({"results.tension_fall_p95_N_m.before=time_to_sink_s"},
+                "results.tension_fall_p95_N_m.before: found \"time_to_sink_s\"");
+  check_refused({"results.tension_fall_p95_N_m.before=fall_velocity_max_m_s"},
+                "results.tension_fall_p95_N_m.before: found \"fall_velocity_max_m_s\"");
+}
