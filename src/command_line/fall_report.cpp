@@ -68,7 +68,7 @@ ResultList list_results(const FallCase& given) {
     add("time of the fall", "landing_time_s", "s", end.time);
   }
   if (given.stiffness)
-    for (const Result& result : list_landing(given)) list.push_back(result);
+    for (const ListedNumber& result : list_landing(given)) list.push_back(result);
   return list;
 }
 

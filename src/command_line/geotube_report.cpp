@@ -52,7 +52,7 @@ using Lines = std::vector<std::vector<std::string>>;
 
 Lines input_lines(const GeotubeReport& report) {
   Lines lines;
-  for (const Result& given : list_inputs(report.input)) {
+  for (const ListedNumber& given : list_inputs(report.input)) {
     const bool is_stiffness = given.column == "stiffness_N_m";
     if (is_stiffness && !std::isfinite(given.value)) {
       lines.push_back({given.name, "not given", "inextensible"});
@@ -86,13 +86,13 @@ std::string one_tube_text(const GeotubeReport& report) {
 std::string table_text(const GeotubeReport& report) {
   constexpr int table_digits = 6;
   Lines lines{{}, {}};
-  for (const Result& result : list_results(report.tubes.front(), report.strength)) {
+  for (const ListedNumber& result : list_results(report.tubes.front(), report.strength)) {
     lines[0].push_back(result.name);
     lines[1].push_back("[" + result.unit + "]");
   }
   for (const Geotube& tube : report.tubes) {
     lines.emplace_back();
-    for (const Result& result : list_results(tube, report.strength))
+    for (const ListedNumber& result : list_results(tube, report.strength))
       lines.back().push_back(format_number(result.value, table_digits));
   }
   return format_table(lines, std::string(lines[0].size(), 'r'));
@@ -107,7 +107,7 @@ std::string tubes_csv(const GeotubeReport& report) {
   std::vector<ResultList> rows;
   for (const Geotube& tube : report.tubes) {
     rows.push_back(list_inputs(report.input));
-    for (Result& result : list_results(tube, report.strength)) rows.back().push_back(std::move(result));
+    for (ListedNumber& result : list_results(tube, report.strength)) rows.back().push_back(std::move(result));
   }
   return results_csv(rows);
 }

@@ -9,20 +9,21 @@ namespace geodrop {
 std::vector<std::vector<std::string>> result_lines(const ResultList& results) {
   constexpr int digits = 10;
   std::vector<std::vector<std::string>> lines;
-  for (const Result& result : results) lines.push_back({result.name, format_number(result.value, digits), result.unit});
+  for (const ListedNumber& result : results)
+    lines.push_back({result.name, format_number(result.value, digits), result.unit});
   return lines;
 }
 
 std::string row_table(const std::vector<ResultList>& rows, const std::string& no_number) {
   constexpr int digits = 6;
   std::vector<std::vector<std::string>> lines{{}, {}};
-  for (const Result& result : rows.front()) {
+  for (const ListedNumber& result : rows.front()) {
     lines[0].push_back(result.name);
     lines[1].push_back("[" + result.unit + "]");
   }
   for (const ResultList& row : rows) {
     lines.emplace_back();
-    for (const Result& result : row)
+    for (const ListedNumber& result : row)
       lines.back().push_back(std::isnan(result.value) ? no_number : format_number(result.value, digits));
   }
   return format_table(lines, std::string(lines[0].size(), 'r'));
@@ -33,7 +34,7 @@ std::string results_csv(const std::vector<ResultList>& rows) {
   std::string header, text;
   for (const ResultList& row : rows) {
     std::string names, values;
-    for (const Result& result : row) {
+    for (const ListedNumber& result : row) {
       names += (names.empty() ? "" : ",") + result.column;
       values += (values.empty() ? "" : ",") + format_number(result.value, digits);
     }

@@ -6,12 +6,13 @@
 
 namespace geodrop {
 
-struct Result {
+/// Not the Result of a run (results.hpp).
+struct ListedNumber {
   std::string name, column, unit;  ///< for people, for the CSV
   double value;
 };
 
-using ResultList = std::vector<Result>;
+using ResultList = std::vector<ListedNumber>;
 
 /// Name, value and unit, a line each.
 std::vector<std::vector<std::string>> result_lines(const ResultList& results);
