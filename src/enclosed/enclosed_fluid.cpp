@@ -60,12 +60,8 @@ void sum_into_hosts(const EnclosedCells& cells, Array<double>& values) {
 /// f(p, local cell) for the particles of a body within the box.
 template <class F>
 void for_each_particle(const Body<2>& body, const GridLayout<2>& layout, const EnclosedCells& cells, F&& f) {
-  const auto [nx, ny] = cells.count;
-  for (std::size_t p = 0; p < body.size(); ++p) {
-    const int i = layout.base(0, body.x[0][p]) + GridLayout<2>::pad - cells.first[0];
-    const int j = layout.base(1, body.x[1][p]) + GridLayout<2>::pad - cells.first[1];
-    if (i >= 0 && j >= 0 && i < nx && j < ny) f(p, i + j * nx);
-  }
+  for (std::size_t p = 0; p < body.size(); ++p)
+    if (const int cell = local_cell(layout, cells, body.x[0][p], body.x[1][p]); cell >= 0) f(p, cell);
 }
 
 void sum_particles(const Body<2>& body, const GridLayout<2>& layout, EnclosedCells& cells) {
@@ -99,7 +95,7 @@ void for_each_face(const GridLayout<2>& layout, const EnclosedCells& cells, F&& 
         const int c = i + j * nx;
         if (faces[c][0] <= 0 || cells.host[c] == cells.host[c + to_above]) continue;
         Face face{c, c + to_above, axis, {}, {}};
-        const int flat = cells.first[0] + i + (cells.first[1] + j) * layout.stride[1];
+        const int flat = flat_of(layout, cells, c);
         const std::array<double, 3> integral = face_integrals(faces[c]);
         for (int n = 0; n < 3; ++n)
           for (int side = 0; side < 2; ++side) {
@@ -220,13 +216,11 @@ void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt) {
   for_each_enclosed(state, grid, [&](Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
     Array<double> flow = outflow(body, membrane, grid, cells);
     sum_into_hosts(cells, flow);
-    const auto [nx, ny] = cells.count;
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i) {
-        const int host = cells.host[i + j * nx];
-        cells.rate[cells.first[0] + i + (cells.first[1] + j) * grid.layout.stride[1]] =
-            cells.volume[host] > 0 ? flow[host] / cells.volume[host] : 0.0;
-      }
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const int host = cells.host[c];
+      cells.rate[flat_of(grid.layout, cells, static_cast<int>(c))] =
+          cells.volume[host] > 0 ? flow[host] / cells.volume[host] : 0.0;
+    }
     even_out(body, grid.layout, evening * wave_speed(body.material) * dt / grid.layout.h, cells);
   });
 }

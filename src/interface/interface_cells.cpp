@@ -1,14 +1,12 @@
 #include "interface_cells.hpp"
 
 #include <geodrop/error.hpp>
-#include <geodrop/velocity_fields.hpp>
 
 #include <algorithm>
 #include <map>
 #include <sstream>
 
 #include "../grid/nearby_cells.hpp"
-#include "../membrane/cut_cells.hpp"
 #include "outline_pieces.hpp"
 
 namespace geodrop {
@@ -201,7 +199,7 @@ void cut_interface_cells(const State<2>& state, Grids<2>& grids) {
   forget_cells(grids);
   Grid<2>& around = grids.front();
   for (const Membrane<2>& membrane : state.membranes) {
-    if (!membrane.sharp || membrane.field == waiting) continue;
+    if (!acts_sharply(membrane)) continue;
     Grid<2>& grid = grids[membrane.field];
     cut_cells(grid.layout, membrane.x[0], membrane.x[1], grid.outline);
     check_walls(grid.layout, membrane, grid.outline);
@@ -220,7 +218,7 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
   for (Grid<2>& grid : grids) lists.emplace_back(grid);
   const Slope whole = whole_cell(around.layout);
   for (const Membrane<2>& membrane : state.membranes) {
-    if (!membrane.sharp || membrane.field == waiting) continue;
+    if (!acts_sharply(membrane)) continue;
     Grid<2>& grid = grids[membrane.field];
     for (const CutCell& cell : cut_cells_of(grid, membrane)) {
       PartCell& inside = lists[membrane.field].at(cell.flat, cell.inside);

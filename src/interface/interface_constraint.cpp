@@ -41,12 +41,11 @@ BedCells bed_around(const State<2>& state, const GridLayout<2>& layout, const Me
   BedCells out{Array<double>(cells.size(), 0.0), Array<double>(cells.size(), 0.0)};
   const Body<2>& bed = find_named(state.bodies, membrane.bed);
   for (std::size_t p = 0; p < bed.size(); ++p) {
-    const int i = layout.base(0, bed.x[0][p]) + GridLayout<2>::pad - cells.first[0];
-    const int j = layout.base(1, bed.x[1][p]) + GridLayout<2>::pad - cells.first[1];
-    if (i < 0 || j < 0 || i >= cells.count[0] || j >= cells.count[1]) continue;
+    const int cell = local_cell(layout, cells, bed.x[0][p], bed.x[1][p]);
+    if (cell < 0) continue;
     const double volume = bed.volume(p);
-    out.volume[i + j * cells.count[0]] += volume;
-    if (!bed.pore_pressure.empty()) out.pore[i + j * cells.count[0]] += volume * bed.pore_pressure[p];
+    out.volume[cell] += volume;
+    if (!bed.pore_pressure.empty()) out.pore[cell] += volume * bed.pore_pressure[p];
   }
   return out;
 }
@@ -56,7 +55,7 @@ void look_for_bed(const Grid<2>& around, const CutCells& cells, const BedCells& 
   double soil = 0, pore = 0, all = 0;
   for_each_piece(cells, contact.stretch, [&](const CutCells::Piece& piece) {
     for (int n = 0; n < 9; ++n) {
-      const int local = piece.cell + n % 3 - 1 + (n / 3 - 1) * cells.count[0];
+      const int local = local_around(cells, piece.cell, n);
       soil += bed.volume[local];
       pore += bed.pore[local];
       all += around.cell_volume[flat_of(around.layout, cells, local)];
@@ -70,7 +69,7 @@ std::vector<Contact> build_rows(State<2>& state, const Grids<2>& grids, Rows& ro
   std::vector<Contact> contacts;
   const Grid<2>& around = grids.front();
   for (Membrane<2>& membrane : state.membranes) {
-    if (!membrane.sharp || membrane.field == waiting) continue;
+    if (!acts_sharply(membrane)) continue;
     const CutCells& cells = grids[membrane.field].outline;
     const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
     for (const Stretch& stretch : wet_stretches(around, membrane, cells)) {

@@ -17,9 +17,7 @@ class NearEdges {
       : layout_(layout), membrane_(membrane), cells_(cells), near_(cells.size()) {
     for (const CutCells::Piece& piece : cells.pieces)
       for (int n = 0; n < 9; ++n) {
-        const int i = piece.cell % cells.count[0] + n % 3 - 1, j = piece.cell / cells.count[0] + n / 3 - 1;
-        if (i < 0 || j < 0 || i >= cells.count[0] || j >= cells.count[1]) continue;
-        std::vector<int>& edges = near_[i + j * cells.count[0]];
+        std::vector<int>& edges = near_[local_around(cells, piece.cell, n)];
         if (edges.empty() || edges.back() != piece.edge) edges.push_back(piece.edge);
       }
   }
@@ -27,11 +25,10 @@ class NearEdges {
   /// Where a point is to go that should be inside, or else outside; itself if it is there.
   Vec<2> on_side(const Vec<2>& x, bool inside) const {
     constexpr double distance = 1e-3;  // from the membrane [h]
-    const int i = layout_.base(0, x[0]) + GridLayout<2>::pad - cells_.first[0];
-    const int j = layout_.base(1, x[1]) + GridLayout<2>::pad - cells_.first[1];
-    if (i < 0 || j < 0 || i >= cells_.count[0] || j >= cells_.count[1]) return x;
+    const int cell = local_cell(layout_, cells_, x[0], x[1]);
+    if (cell < 0) return x;
     Nearest nearest;
-    for (const int edge : near_[i + j * cells_.count[0]]) look_at(edge, x, nearest);
+    for (const int edge : near_[cell]) look_at(edge, x, nearest);
     if (nearest.edge < 0) return x;
     const Vec<2> normal = normal_at(nearest);
     const bool is_inside = (x - nearest.point).dot(normal) < 0;
@@ -93,7 +90,7 @@ void keep_body(const Grid<2>& grid, const NearEdges& edges, bool inside, Body<2>
 template <>
 void keep_sides(State<2>& state, const Grids<2>& grids) {
   for (const Membrane<2>& membrane : state.membranes) {
-    if (!membrane.sharp || membrane.field == waiting) continue;
+    if (!acts_sharply(membrane)) continue;
     const NearEdges edges(grids.front().layout, membrane, grids[membrane.field].outline);
     for (Body<2>& body : state.bodies)
       if (body.field == membrane.field || body.field == 0) keep_body(grids[body.field], edges, body.field != 0, body);

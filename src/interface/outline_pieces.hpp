@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "../kernels/bases.hpp"
+#include "../membrane/cut_cells.hpp"
 #include "../membrane/polygon.hpp"
 
 namespace geodrop {
@@ -38,10 +39,8 @@ inline PieceIntegral integrate_piece(const GridLayout<2>& layout, const Membrane
   return out;
 }
 
-/// Flat index of the cell of a piece, or of another local cell of the box.
-inline int flat_of(const GridLayout<2>& layout, const CutCells& cells, int c) {
-  return cells.first[0] + c % cells.count[0] + (cells.first[1] + c / cells.count[0]) * layout.stride[1];
-}
+/// Whether a membrane is there and has a sharp interface.
+inline bool acts_sharply(const Membrane<2>& membrane) { return membrane.sharp && membrane.field != waiting; }
 
 /// Flat index of node n of the 3 x 3 around a cell.
 inline int node_around(const GridLayout<2>& layout, int flat, int n) {

@@ -1,17 +1,18 @@
 // The closed-form fall: the numbers of Kekerdom computed elsewhere, a fall integrated step by step, limits, and what
 // cannot be.
-#include <geodrop/error.hpp>
 #include <geodrop/fall.hpp>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
 
+#include "support/formulas.hpp"
+
 using namespace geodrop;
+using geodrop::test::check_refused;
 
 namespace {
 
@@ -22,17 +23,6 @@ void check_equal(double found, double expected, double relative = 1e-12) {
   CAPTURE(found);
   CAPTURE(expected);
   CHECK(std::abs(found - expected) <= relative * std::abs(expected));
-}
-
-void check_refused(const std::function<double()>& formula, const std::string& says) {
-  std::string said;
-  try {
-    formula();
-  } catch (const SceneError& error) {
-    said = error.what();
-  }
-  CAPTURE(said);
-  CHECK(said.find(says) != std::string::npos);
 }
 
 constexpr SinkingEllipse kekerdom{.along = 3.326767, .across = 0.507698, .density = 1631, .water_density = 1000};

@@ -1,16 +1,17 @@
 // The formulas of a container that leaves a split barge: the worked example of CUR 217, values by hand, limits, and
 // what cannot be.
-#include <geodrop/error.hpp>
 #include <geodrop/release.hpp>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
+#include "support/formulas.hpp"
+
 using namespace geodrop;
+using geodrop::test::check_refused;
 
 namespace {
 
@@ -28,17 +29,6 @@ void check_equal(double found, double expected) {
 void check_printed(double found, double printed, double last_digit) {
   CAPTURE(found);
   CHECK(std::abs(found - printed) <= last_digit / 2);
-}
-
-void check_refused(const std::function<double()>& formula, const std::string& says) {
-  std::string said;
-  try {
-    formula();
-  } catch (const SceneError& error) {
-    said = error.what();
-  }
-  CAPTURE(said);
-  CHECK(said.find(says) != std::string::npos);
 }
 
 /// A container of 9 m2 at 18 kN/m3, walls of 35 degrees, hinges 2.8 m above the keel.
