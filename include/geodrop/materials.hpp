@@ -10,11 +10,15 @@
 
 namespace geodrop {
 
-/// p = K (1/J - 1), deviator 2 mu dev(D). J = rho0 / rho.
+/// p = K (1/J - 1), deviator 2 (mu + mu_t) dev(D). J = rho0 / rho. Eddies smaller than the mixing length l mix as
+/// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963).
 struct Newtonian {
-  double density;       ///< rho0 [kg/m3]
-  double bulk_modulus;  ///< K [Pa]
-  double viscosity;     ///< mu [Pa s]
+  double density;            ///< rho0 [kg/m3]
+  double bulk_modulus;       ///< K [Pa]
+  double viscosity;          ///< mu [Pa s]
+  double mixing_length = 0;  ///< l [m]; 0: no eddies
+
+  bool viscous() const { return viscosity > 0 || mixing_length > 0; }
 };
 
 /// Isotropic hypoelasticity in Cauchy stress.

@@ -82,9 +82,16 @@ struct Membrane {
   Array<double> tension;                ///< segments, that acts: averaged twice [N/m]
   double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
   std::array<Array<double>, Dim> load;  ///< nodes: of contacts, of the weight inside [N]; else empty
-  std::string bed;                      ///< body around that a sharp membrane rubs on; empty: none
-  double bed_friction = 0;              ///< mu on it [-]
-  Array<double> water_pressure;         ///< segments: of what is around on a sharp interface [Pa]; else empty
+
+  // Of a sharp membrane:
+  std::string bed;               ///< body around that it rubs on; empty: none
+  double bed_friction = 0;       ///< mu on it [-]
+  Shear shear = Shear::none;     ///< of the fluid around
+  double wall_friction = 0;      ///< C_f of Shear::wall_law [-]
+  double drag_coefficient = 0;   ///< C_d of a drag that the fluid does not feel [-]
+  double fluid_density = 0;      ///< of the fluid around [kg/m3]; 0: there is none
+  Array<double> water_pressure;  ///< segments: of what is around [Pa]; else empty
+  Array<double> water_shear;     ///< likewise, traction on the membrane along it, from node to node [Pa]
 
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }

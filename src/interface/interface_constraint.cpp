@@ -14,21 +14,40 @@
 namespace geodrop {
 namespace {
 
-/// A row: the membrane that it belongs to, the part of its outline, and what lies there.
+/// A stretch of a membrane and what lies there.
 struct Contact {
   Membrane<2>* membrane;
   Stretch stretch;
   bool on_bed = false;
   double pore_pressure = 0;  ///< of the bed [Pa]
+  bool joined = false;       ///< both sides have mass there
+  double pressure = 0;       ///< [Pa]
+
+  bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip; }
+  bool rubs() const { return on_bed || membrane->shear == Shear::wall_law; }
+
+  /// Largest traction along it [Pa]; slip [m2/s]: the velocity of slipping times the length.
+  double most_friction(double slip) const {
+    if (on_bed) return std::max(0.0, membrane->bed_friction * (pressure - pore_pressure));
+    const double velocity = slip / stretch.length;
+    return 0.5 * membrane->fluid_density * membrane->wall_friction * velocity * velocity;
+  }
 };
 
-/// Mean over a stretch of the pressure that its segments had.
-double last_pressure(const Contact& contact, const CutCells& cells) {
+/// Mean over a stretch of the traction that its segments had.
+double last_traction(const Contact& contact, const CutCells& cells, Direction direction) {
+  const bool normal = direction == Direction::normal;
+  const Array<double>& traction = normal ? contact.membrane->water_pressure : contact.membrane->water_shear;
   double sum = 0;
   for_each_piece(cells, contact.stretch, [&](const CutCells::Piece& piece) {
-    sum += contact.membrane->water_pressure[piece.edge] * length_of(*contact.membrane, piece);
+    sum += traction[piece.edge] * length_of(*contact.membrane, piece);
   });
-  return contact.stretch.length > 0 ? sum / contact.stretch.length : 0;
+  return contact.stretch.length > 0 ? (normal ? sum : -cells.sense * sum) / contact.stretch.length : 0;
+}
+
+void forget_tractions(Membrane<2>& membrane) {
+  std::fill(membrane.water_pressure.begin(), membrane.water_pressure.end(), 0.0);
+  std::fill(membrane.water_shear.begin(), membrane.water_shear.end(), 0.0);
 }
 
 /// Where the bed is around a membrane: volume of its particles in each cell of the box, and that times pore pressure.
@@ -65,7 +84,7 @@ void look_for_bed(const Grid<2>& around, const CutCells& cells, const BedCells& 
   if (contact.on_bed) contact.pore_pressure = pore / soil;
 }
 
-std::vector<Contact> build_rows(State<2>& state, const Grids<2>& grids, Rows& rows) {
+std::vector<Contact> find_contacts(State<2>& state, const Grids<2>& grids) {
   std::vector<Contact> contacts;
   const Grid<2>& around = grids.front();
   for (Membrane<2>& membrane : state.membranes) {
@@ -73,8 +92,6 @@ std::vector<Contact> build_rows(State<2>& state, const Grids<2>& grids, Rows& ro
     const CutCells& cells = grids[membrane.field].outline;
     const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
     for (const Stretch& stretch : wet_stretches(around, membrane, cells)) {
-      if (!rows.add(membrane.field, 0, line_integrals(around.layout, membrane, cells, stretch, Direction::normal)))
-        continue;
       contacts.push_back({&membrane, stretch});
       if (!membrane.bed.empty()) look_for_bed(around, cells, bed, contacts.back());
     }
@@ -82,7 +99,54 @@ std::vector<Contact> build_rows(State<2>& state, const Grids<2>& grids, Rows& ro
   return contacts;
 }
 
-/// Pressures that stop the gaps from opening and closing.
+/// Rows for some of the contacts.
+class ContactRows {
+ public:
+  struct Row {
+    std::size_t contact;
+    Direction direction;
+  };
+
+  explicit ContactRows(const Grids<2>& grids) : grids_(grids), rows_(grids) {}
+
+  /// False if one of the sides has no mass there.
+  bool add(const std::vector<Contact>& contacts, std::size_t c, Direction direction) {
+    const Membrane<2>& membrane = *contacts[c].membrane;
+    const CutCells& cells = grids_[membrane.field].outline;
+    const GridLayout<2>& layout = grids_.front().layout;
+    if (!rows_.add(membrane.field, 0, line_integrals(layout, membrane, cells, contacts[c].stretch, direction)))
+      return false;
+    list_.push_back({c, direction});
+    return true;
+  }
+
+  const Rows& rows() const { return rows_; }
+  const std::vector<Row>& list() const { return list_; }
+
+ private:
+  const Grids<2>& grids_;
+  Rows rows_;
+  std::vector<Row> list_;
+};
+
+/// Adds up the tractions of rows on the segments of membranes.
+void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids<2>& grids,
+           std::vector<Contact>& contacts) {
+  for (std::size_t r = 0; r < rows.list().size(); ++r) {
+    const auto [c, direction] = rows.list()[r];
+    Membrane<2>& membrane = *contacts[c].membrane;
+    const CutCells& cells = grids[membrane.field].outline;
+    const bool normal = direction == Direction::normal;
+    if (normal) contacts[c].pressure = traction[static_cast<Eigen::Index>(r)];
+    Array<double>& target = normal ? membrane.water_pressure : membrane.water_shear;
+    const double sign = normal ? 1 : -cells.sense;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
+    for_each_piece(cells, contacts[c].stretch, [&](const CutCells::Piece& piece) {
+      target[piece.edge] += sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
+    });
+  }
+}
+
+/// Tractions that stop the gaps from opening and closing, and the slip where it sticks.
 Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
   constexpr double tolerance = 1e-8;  // of the gaps' rate
   constexpr int most_iterations = 1000;
@@ -92,63 +156,55 @@ Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, cons
   return solver.solveWithGuess(gap_rate, guess);
 }
 
-/// Coulomb friction on the bed: tractions along the membrane that stop it, at most mu times the effective pressure.
-/// Projected Gauss-Seidel.
-void rub_on_bed(const std::vector<Contact>& contacts, const Eigen::VectorXd& pressure, double dt, Grids<2>& grids) {
-  constexpr int sweeps = 30;
-  Rows rows(grids);
-  std::vector<double> most;
-  for (std::size_t r = 0; r < contacts.size(); ++r) {
-    const Contact& contact = contacts[r];
-    const double bound = contact.on_bed ? contact.membrane->bed_friction * (pressure[r] - contact.pore_pressure) : 0;
-    if (bound <= 0) continue;
-    const Membrane<2>& membrane = *contact.membrane;
-    const CutCells& cells = grids[membrane.field].outline;
-    if (rows.add(membrane.field, 0,
-                 line_integrals(grids[0].layout, membrane, cells, contact.stretch, Direction::tangent)))
-      most.push_back(bound);
+/// One normal velocity, and one velocity where the fluid sticks.
+void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
+  ContactRows rows(grids);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts[c].joined = rows.add(contacts, c, Direction::normal); contacts[c].joined && contacts[c].sticks())
+      rows.add(contacts, c, Direction::tangent);
+  Eigen::VectorXd guess(rows.list().size());
+  for (std::size_t r = 0; r < rows.list().size(); ++r) {
+    const auto [c, direction] = rows.list()[r];
+    guess[r] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, direction);
   }
-  if (most.empty()) return;
-  const SparseRows T = rows.matrix();
+  for (const Contact& contact : contacts) forget_tractions(*contact.membrane);
+  if (rows.list().empty()) return;
+  const SparseRows E = rows.rows().matrix();
+  const Eigen::VectorXd traction = solve(E * E.transpose(), E * rows.rows().scaled_velocities() / dt, guess);
+  apply_pressures(rows.rows(), E, traction, dt, grids);
+  store(rows, traction, grids, contacts);
+}
+
+/// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
+/// bed, at most what the wall law says in fluid. Projected Gauss-Seidel.
+void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
+  constexpr int sweeps = 30;
+  ContactRows rows(grids);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts[c].joined && contacts[c].rubs()) rows.add(contacts, c, Direction::tangent);
+  if (rows.list().empty()) return;
+  const SparseRows T = rows.rows().matrix();
   const Eigen::MatrixXd S = T * T.transpose();
-  const Eigen::VectorXd slip_rate = T * rows.scaled_velocities() / dt;
+  const Eigen::VectorXd slip = T * rows.rows().scaled_velocities(), slip_rate = slip / dt;
   Eigen::VectorXd traction = Eigen::VectorXd::Zero(S.rows());
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (Eigen::Index r = 0; r < S.rows(); ++r) {
       const double wanted = traction[r] + (slip_rate[r] - S.row(r).dot(traction)) / S(r, r);
-      traction[r] = std::clamp(wanted, -most[r], most[r]);
+      const double most = contacts[rows.list()[r].contact].most_friction(slip[r]);
+      traction[r] = std::clamp(wanted, -most, most);
     }
-  apply_pressures(rows, T, traction, dt, grids);
-}
-
-void store_pressures(const std::vector<Contact>& contacts, const Eigen::VectorXd& pressure, const Grids<2>& grids,
-                     State<2>& state) {
-  for (Membrane<2>& membrane : state.membranes)
-    std::fill(membrane.water_pressure.begin(), membrane.water_pressure.end(), 0.0);
-  for (std::size_t r = 0; r < contacts.size(); ++r) {
-    Membrane<2>& membrane = *contacts[r].membrane;
-    for_each_piece(grids[membrane.field].outline, contacts[r].stretch, [&](const CutCells::Piece& piece) {
-      membrane.water_pressure[piece.edge] += (piece.to - piece.from) * pressure[static_cast<Eigen::Index>(r)];
-    });
-  }
+  apply_pressures(rows.rows(), T, traction, dt, grids);
+  store(rows, traction, grids, contacts);
 }
 
 }  // namespace
 
 template <>
 void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
-  Rows rows(grids);
-  const std::vector<Contact> contacts = build_rows(state, grids, rows);
-  if (contacts.empty()) return;
-  const SparseRows E = rows.matrix();
-  Eigen::VectorXd guess(contacts.size());
-  for (std::size_t r = 0; r < contacts.size(); ++r)
-    guess[r] = last_pressure(contacts[r], grids[contacts[r].membrane->field].outline);
-  const Eigen::VectorXd pressure = solve(E * E.transpose(), E * rows.scaled_velocities() / dt, guess);
-  apply_pressures(rows, E, pressure, dt, grids);
-  rub_on_bed(contacts, pressure, dt, grids);
+  std::vector<Contact> contacts = find_contacts(state, grids);
+  join(dt, contacts, grids);
+  rub(dt, contacts, grids);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);
-  store_pressures(contacts, pressure, grids, state);
 }
 
 // Sharp interfaces are for the plane: check_scene refuses them in space.

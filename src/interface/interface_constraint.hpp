@@ -11,9 +11,11 @@
 //
 // stays symmetric, and all impulses come in pairs. Conjugate gradients, from the pressures of the last step.
 //
-// On a bed, if the membrane names one, friction along it is at most mu (p_r - u_r), u_r the pressure of the water in
-// the pores. The membrane does not part from the bed, as it does not from water: p_r >= 0 there, by active sets, blew
-// up half a second after landing, p_r >= u_r at once.
+// Where the fluid sticks to the membrane (Shear::no_slip) a second row for each stretch says the same of the velocities
+// along it. Otherwise friction follows: at most mu (p_r - u_r) on a bed, if the membrane names one, u_r the pressure of
+// the water in its pores; at most 1/2 rho C_f u^2 in fluid that slips with the velocity u (Shear::wall_law).
+// The membrane does not part from the bed, as it does not from water: p_r >= 0 there, by active sets, blew up half a
+// second after landing, p_r >= u_r at once.
 #pragma once
 
 #include <geodrop/grid.hpp>
@@ -22,7 +24,7 @@
 namespace geodrop {
 
 /// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
-/// Membrane::water_pressure.
+/// Membrane::water_pressure and water_shear.
 template <int Dim>
 void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
 

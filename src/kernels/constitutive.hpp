@@ -76,7 +76,7 @@ void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t b
       std::copy_n(pressure_force, count, out.s[c]);
     else
       std::fill_n(out.s[c], count, 0.0);
-    if (water.viscosity <= 0) continue;
+    if (!water.viscous()) continue;
     const double* const viscous = body.stress[c].data() + begin;
 #pragma omp simd
     for (int k = 0; k < count; ++k) out.s[c][k] -= out.volume[k] * viscous[k];
@@ -141,8 +141,8 @@ template <int Dim, class R>
 void update_point(Body<Dim>& body, const Newtonian& water, const ChunkRates<Dim>& rates, double dt, std::size_t p,
                   int k) {
   store(&body.J[p], load<R>(&body.J[p]) * (1 + load<R>(&rates.volume[k])));
-  if (water.viscosity <= 0) return;
-  const auto s = viscous_stress<Dim, R>(water.viscosity / dt, load_increment<Dim, R>(rates, k));
+  if (!water.viscous()) return;
+  const auto s = viscous_stress<Dim, R>(water, dt, load_increment<Dim, R>(rates, k));
   for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], s[c]);
 }
 

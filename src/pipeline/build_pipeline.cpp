@@ -16,6 +16,7 @@
 #include "../interface/interface_cells.hpp"
 #include "../interface/interface_constraint.hpp"
 #include "../interface/keep_sides.hpp"
+#include "../interface/model_drag.hpp"
 #include "../kernels/transfer_stages.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
@@ -58,7 +59,9 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool skin_contact =
       has_contact(scene, ContactPair::Kind::membrane_on_rigid) || has_contact(scene, ContactPair::Kind::membranes);
   const bool bare_contact = has_contact(scene, ContactPair::Kind::body_on_rigid);
-  const bool loads = enclosed || skin_contact || !scene.still_fluids.empty();
+  const bool model_drag = std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                                      [](const MembraneSpec& membrane) { return membrane.drag_coefficient > 0; });
+  const bool loads = enclosed || skin_contact || model_drag || !scene.still_fluids.empty();
   const bool rigid_moves = std::any_of(scene.rigid.begin(), scene.rigid.end(), [](const RigidSpec& rigid) {
     return !std::holds_alternative<std::monostate>(rigid.motion);
   });
@@ -102,7 +105,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "particles_to_grid", "mass, velocity, affine rate, stress -> nodal sums, force",  [](S& s, G& g, const C& c) { particles_to_grid(s, g, c.dt); });
   add(enclosed,      "enclosed_force",    "cut cells, their pressure -> nodal sums or force",          [g_vector](S& s, G& g, const C& c) { if (!g.enclosed.empty()) enclosed_force_to_grid(s, g, g_vector, c.dt); });
   add(!driven.empty(), "body_force",      "initial position, time -> nodal sums or force",            [driven](S& s, G& g, const C& c) { body_force_to_grid(driven, s, g, c); });
-  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact and fluid, slip", [fluids](S& s, Fields& f, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_membrane_contacts(s, c.dt); for (const G& g : f) add_fluid_loads(s, g); add_still_fluids(fluids, s); });
+  add(loads,         "membrane_loads",    "membrane nodes, cells -> loads of contact, fluid, drag; slip", [fluids](S& s, Fields& f, const C& c) { clear_membrane_loads(s); add_contact_forces(s, c.dt); add_membrane_contacts(s, c.dt); for (const G& g : f) add_fluid_loads(s, g); add_still_fluids(fluids, s); add_model_drag(s); });
   add(bare_contact,  "particle_contact",  "particles at rigid bodies -> nodal sums or force, slip",    [](S& s, G& g, const C& c) { contact_to_grid(s, g, c.dt); });
   add(membranes,     "membranes_to_grid", "membrane nodes -> tension, nodal sums, force",              [](S& s, G& g, const C& c) { membranes_to_grid(s, g, c.dt); });
   add(viscous,       "boundaries_to_grid", "points of viscous boundaries -> nodal sums or force",      [](S& s, G& g, const C& c) { boundaries_to_grid(s, g, c.dt); });

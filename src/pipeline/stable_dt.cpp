@@ -9,6 +9,7 @@
 
 #include "../contact/surface_contact.hpp"
 #include "../materials/neo_hookean.hpp"
+#include "../materials/strain.hpp"
 
 namespace geodrop {
 namespace {
@@ -37,6 +38,24 @@ double wave_speed_squared(const Body<Dim>& body) {
     modulus = std::max(modulus, neo_hookean_wave_modulus<Dim>(*solid, F, body.J[p]));
   }
   return std::max(c2, modulus / solid->density);
+}
+
+/// The largest [m2/s]. Eddies of a mixing length l mix with at most l sqrt(tau / rho), tau the shear stress of the step
+/// before.
+template <int Dim>
+double viscosity_in(const Body<Dim>& body) {
+  const double laminar = kinematic_viscosity(body.material);
+  const auto* fluid = std::get_if<Newtonian>(&body.material);
+  if (!fluid || fluid->mixing_length == 0) return laminar;
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+  double square = 0;
+#pragma omp parallel for schedule(static) reduction(max : square)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    Stress<Dim, double> s;
+    for (int c = 0; c < stress_components<Dim>; ++c) s[c] = body.stress[c][p];
+    square = std::max(square, 0.5 * norm_squared<Dim, double>(s));
+  }
+  return laminar + fluid->mixing_length * std::sqrt(std::sqrt(square) / fluid->density);
 }
 
 /// A mass-proportional damping beta leaves (2/omega)(sqrt(1 + xi^2) - xi) of the step, xi = beta / (2 omega).
@@ -89,7 +108,7 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
   double c2 = 0, membrane2 = 0, nu = 0;
   for (const Body<Dim>& body : state.bodies) {
     c2 = std::max(c2, wave_speed_squared(body));
-    nu = std::max(nu, kinematic_viscosity(body.material));
+    nu = std::max(nu, viscosity_in(body));
   }
   for (const Membrane<Dim>& membrane : state.membranes)
     membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));

@@ -97,7 +97,8 @@ InitialStress bind_stress(const Fields& f) {
 NewtonianSpec bind_newtonian(const Fields& f) {
   const double density = f.real("density");
   const double c = f.real("sound_speed");
-  return {density, f.has("sound_speed") ? density * c * c : f.real("bulk_modulus"), f.real("viscosity")};
+  return {density, f.has("sound_speed") ? density * c * c : f.real("bulk_modulus"), f.real("viscosity"),
+          f.real("mixing_length")};
 }
 
 MohrCoulombSpec bind_mohr_coulomb(const Fields& f) {
@@ -160,6 +161,9 @@ MembraneSpec bind_membrane(const Fields& f, SourceRef at) {
   membrane.segments_per_cell = f.real("segments_per_cell");
   membrane.averaging_segments = f.integer("averaging_segments");
   membrane.interface = f.choice<Interface>("interface");
+  membrane.shear = f.choice<Shear>("shear");
+  membrane.wall_friction = f.real("wall_friction");
+  membrane.drag_coefficient = f.real("drag_coefficient");
   membrane.bed = f.text("bed");
   membrane.bed_friction = f.real("bed_friction");
   membrane.at = at;

@@ -31,7 +31,7 @@ void allocate(Body<Dim>& body) {
   for (auto& component : body.v) component.assign(n, 0.0);
   for (auto& component : body.affine) component.assign(n, 0.0);
   const auto* water = std::get_if<Newtonian>(&body.material);
-  if (!water || water->viscosity > 0)
+  if (!water || water->viscous())
     for (auto& component : body.stress) component.assign(n, 0.0);
   if (std::holds_alternative<NeoHookean>(body.material))
     for (int c = 0; c < Dim * Dim; ++c) body.deformation[c].assign(n, c % (Dim + 1) == 0 ? 1.0 : 0.0);
@@ -119,6 +119,16 @@ double distance(const Membrane<Dim>& membrane, std::size_t a, std::size_t b) {
   return std::sqrt(sum);
 }
 
+/// Of the first fluid outside of all sharp membranes, 0 if there is none.
+double density_of_fluid_around(const Scene& scene) {
+  const std::vector<int> fields = velocity_fields(scene);
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    const MaterialSpec& material = *find_material(scene, scene.bodies[b].material);
+    if (const auto* fluid = std::get_if<NewtonianSpec>(&material.model); fluid && fields[b] == 0) return fluid->density;
+  }
+  return 0;
+}
+
 /// Rest length is the drawn length times 1 + slack; the fabric keeps its mass per rest length.
 template <int Dim>
 Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
@@ -150,7 +160,14 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.sharp = spec.interface == Interface::sharp;
   membrane.bed = spec.bed;
   membrane.bed_friction = spec.bed_friction;
-  if (membrane.sharp) membrane.water_pressure.assign(segments, 0.0);
+  if (membrane.sharp) {
+    membrane.shear = spec.shear;
+    membrane.wall_friction = spec.wall_friction;
+    membrane.drag_coefficient = spec.drag_coefficient;
+    membrane.fluid_density = density_of_fluid_around(scene);
+    membrane.water_pressure.assign(segments, 0.0);
+    membrane.water_shear.assign(segments, 0.0);
+  }
   return membrane;
 }
 
@@ -231,6 +248,7 @@ State<Dim> build_state(const Scene& scene) {
   if constexpr (Dim == 2) add_contacts(scene, state);
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
+  allocate_loads(state, [](const Membrane<Dim>& membrane) { return membrane.drag_coefficient > 0; });
   enclose_fluids(scene, state);
   for (const ViscousBoundarySpec& spec : scene.viscous_boundaries)
     state.viscous_boundaries.push_back(make_viscous_boundary(scene, spec, state));

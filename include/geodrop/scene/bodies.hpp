@@ -38,6 +38,12 @@ enum class Interface {
   mixture,  ///< one velocity field: they stick to each other
   sharp     ///< a field each, cut cells between them; they slip along the membrane (src/interface)
 };
+/// What hinders the fluid around that slips along a sharp interface.
+enum class Shear {
+  none,      ///< nothing
+  wall_law,  ///< tau = 1/2 rho C_f |u| u, u the velocity of slipping
+  no_slip    ///< it sticks
+};
 struct MembraneSpec {
   std::string name;
   std::string body;           ///< lies on this body's outline
@@ -50,6 +56,9 @@ struct MembraneSpec {
   double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
   int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
   Interface interface = Interface::mixture;
+  Shear shear = Shear::none;
+  double wall_friction = 0;     ///< C_f of Shear::wall_law [-]
+  double drag_coefficient = 0;  ///< C_d of a drag that the fluid does not feel, on the width across the motion [-]
   std::string bed;          ///< body around that a sharp membrane rubs on; empty: none
   double bed_friction = 0;  ///< on it [-]
   SourceRef at;

@@ -14,6 +14,7 @@ struct NewtonianSpec {
   double density = 0;       ///< at zero pressure [kg/m3]
   double bulk_modulus = 0;  ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
   double viscosity = 0;     ///< dynamic [Pa s]
+  double mixing_length = 0;  ///< of eddies that are not resolved [m]; 0: none
   bool operator==(const NewtonianSpec&) const = default;
 };
 /// Hypoelastic with logarithmic strain and a rotated (Hughes-Winget) Cauchy stress.
