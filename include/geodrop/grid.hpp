@@ -125,6 +125,7 @@ struct PartCell {
   int flat = 0;
   int host = -1;  ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
   std::array<std::array<double, 2>, 9> slope{};  ///< int grad N over the part, of the 3 x 3 nodes around, x fastest [m]
+  std::array<double, 9> elsewhere{};             ///< int N over the rest of the cell, likewise [h2]
 };
 
 /// Everything that the stages of one step hand to each other: one velocity field. Cleared anew each step, so not part

@@ -80,10 +80,11 @@ std::array<double, GridLayout<Dim>::block_width[0]> smoothed_fill(const GridLayo
   return smooth;
 }
 
-/// Cells near a membrane do not shift: a shifted particle could slip through it.
+/// Cells near a membrane do not shift: a shifted particle could slip through it. A sharp one keeps sides.
 template <int Dim>
 void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
-  for (const Membrane<Dim>& membrane : state.membranes)
+  for (const Membrane<Dim>& membrane : state.membranes) {
+    if (membrane.sharp) continue;
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       std::array<int, Dim> base;
       for (int a = 0; a < Dim; ++a) base[a] = grid.layout.base(a, membrane.x[a][k]);
@@ -91,6 +92,7 @@ void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
         grid.cell_flags[other] &= static_cast<std::uint8_t>(~cell_shiftable);
       });
     }
+  }
 }
 
 /// A cell is shiftable where its whole neighbourhood is filled.

@@ -8,6 +8,7 @@
 
 #include "../grid/nearby_cells.hpp"
 #include "outline_pieces.hpp"
+#include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -59,10 +60,21 @@ Slope faces_of(const CutCells& cells, int c, double h) {
   return slope;
 }
 
-/// What an outline makes of a cell that it cuts: a_ic, and the sum of outward normals [m].
+constexpr std::array<double, 3> whole_value = {1.0 / 6, 2.0 / 3, 1.0 / 6};  // int N over a cell along an axis [h]
+
+/// int N over the part of a cell inside without what the membrane adds, by Green's theorem [h2].
+std::array<double, 9> beside_right_face(const CutCells& cells, int c) {
+  const std::array<double, 3> along = face_integrals(cells.right_face[c]);
+  std::array<double, 9> value;
+  for (int n = 0; n < 9; ++n) value[n] = whole_value[n % 3] * along[n / 3];
+  return value;
+}
+
+/// What an outline makes of a cell that it cuts: a_ic, int N over the part inside [h2], the sum of outward normals [m].
 struct CutCell {
   int flat;
   Slope inside{};
+  std::array<double, 9> value{};
   std::array<double, 2> normal{};
 };
 
@@ -73,10 +85,12 @@ std::vector<CutCell> cut_cells_of(const Grid<2>& grid, const Membrane<2>& membra
   for (const CutCells::Piece& piece : cells.pieces) {
     if (place[piece.cell] < 0) {
       place[piece.cell] = static_cast<int>(cut.size());
-      cut.push_back({flat_of(grid.layout, cells, piece.cell), faces_of(cells, piece.cell, grid.layout.h), {}});
+      cut.push_back({flat_of(grid.layout, cells, piece.cell), faces_of(cells, piece.cell, grid.layout.h),
+                     beside_right_face(cells, piece.cell), {}});
     }
     CutCell& cell = cut[place[piece.cell]];
     const PieceIntegral integral = integrate_piece(grid.layout, membrane, cells, piece);
+    for (int n = 0; n < 9; ++n) cell.value[n] += integral.beside[n] * integral.normal[0] * grid.layout.inv_h;
     for (int a = 0; a < 2; ++a) {
       cell.normal[a] += integral.normal[a];
       for (int n = 0; n < 9; ++n) cell.inside[n][a] += integral.mean[n] * integral.normal[a];
@@ -224,9 +238,12 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
       PartCell& inside = lists[membrane.field].at(cell.flat, cell.inside);
       inside.host = find_host(grid, cell.flat, {-cell.normal[0], -cell.normal[1]});
       PartCell& outside = lists.front().at(cell.flat, whole);
-      outside.host = find_host(around, cell.flat, cell.normal);
-      for (int n = 0; n < 9; ++n)
+      outside.host = is_wet(around, cell.flat) ? find_host(around, cell.flat, cell.normal) : -1;
+      for (int n = 0; n < 9; ++n) {
+        inside.elsewhere[n] += whole_value[n % 3] * whole_value[n / 3] - cell.value[n];
+        outside.elsewhere[n] += cell.value[n];
         for (int a = 0; a < 2; ++a) outside.slope[n][a] -= cell.inside[n][a];
+      }
     }
     // Cells of the other field, and particles that strayed there.
     const auto take_in_strays = [&](const Grid<2>& field, PartList& list, bool inside) {
@@ -264,6 +281,22 @@ void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt) {
 }
 
 template <>
+void fill_other_sides(const State<2>& state, Grids<2>& grids) {
+  const auto fill = [](Grid<2>& grid, int flat, const auto& value) {
+    for (int n = 0; n < 9; ++n) grid.velocity[node_around(grid.layout, flat, n)][3] += value(n);
+  };
+  const auto whole = [](int n) { return whole_value[n % 3] * whole_value[n / 3]; };
+  for (Grid<2>& grid : grids)
+    for (const PartCell& part : grid.part_cells) fill(grid, part.flat, [&](int n) { return part.elsewhere[n]; });
+  for (const Membrane<2>& membrane : state.membranes) {
+    if (!acts_sharply(membrane)) continue;
+    Grid<2>& grid = grids[membrane.field];
+    for_each_uncut(grid.layout, grid.outline, true, [&](int flat) { fill(grids.front(), flat, whole); });
+    for_each_uncut(grid.layout, grid.outline, false, [&](int flat) { fill(grid, flat, whole); });
+  }
+}
+
+template <>
 void add_interface_force(Grids<2>& grids) {
   for (Grid<2>& grid : grids) {
     const Slope whole = whole_cell(grid.layout);
@@ -297,6 +330,8 @@ template <>
 void share_interface_pressure(const State<3>&, Grids<3>&) {}
 template <>
 void even_out_volumes(State<3>&, const Grids<3>&, double) {}
+template <>
+void fill_other_sides(const State<3>&, Grids<3>&) {}
 template <>
 void add_interface_force(Grids<3>&) {}
 template <>

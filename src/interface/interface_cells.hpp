@@ -33,6 +33,11 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids);
 template <int Dim>
 void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt);
 
+/// Adds to the fill ratios of nodes what lies on the other side: particles shift away from crowds and into voids beside
+/// the membrane as elsewhere, and keep their distance from it.
+template <int Dim>
+void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids);
+
 /// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N].
 template <int Dim>
 void add_interface_force(Grids<Dim>& grids);

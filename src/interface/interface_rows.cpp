@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "outline_pieces.hpp"
+#include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -23,7 +24,7 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
   const auto& pieces = cells.pieces;
   const std::size_t n = pieces.size();
   const auto wet = [&](std::size_t k) {
-    return (around.cell_flags[flat_of(around.layout, cells, pieces[k].cell)] & cell_filled) != 0;
+    return is_wet(around, flat_of(around.layout, cells, pieces[k].cell));
   };
   std::size_t start = 0;  // where a cell begins
   while (start + 1 < n && pieces[start].cell == pieces[(start + n - 1) % n].cell) ++start;

@@ -113,6 +113,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(true,          "momentum",          "nodal sums, force, cell pressure -> nodal velocity",        [gravity](S&, G& g, const C& c) { fold_walls(g); update_momentum<Dim>(g, gravity, c.dt); });
   add(consistent,    "mass_correction",   "nodal velocity change -> nodal velocity, its change",       [](S&, G& g, const C&) { correct_mass(g); });
   add(sharp,         "join_interfaces",   "nodal velocities on both sides -> the same, with one normal velocity; pressure on membranes", [](S& s, Fields& f, const C& c) { join_interfaces(s, f, c.dt); });
+  add(sharp && shift, "fill_other_sides", "cut cells -> fill ratio of nodes beside membranes",         [](S& s, Fields& f, const C&) { fill_other_sides(s, f); });
   add(relaxes,       "out_of_balance",    "nodal velocity change -> out-of-balance ratio",             [g_vector](S& s, Fields& f, const C& c) { measure_balance(g_vector, c.dt, s, f); });
   add(musl,          "remap_velocity",    "nodal velocity -> particle velocity -> nodal velocity",     [solver](S& s, G& g, const C& c) { remap_velocity(solver, s, g, c.dt); });
   add(cell_pressure, "volume_rate",       "nodal velocity -> volume rate of filled cells",             [](S&, G& g, const C&) { if (!g.cell_volume.empty()) cell_volume_rate(g); });
