@@ -74,7 +74,11 @@ std::pair<double, double> flow_and_rates(const Grid<2>& grid) {
 }  // namespace
 
 TEST_CASE("Joining conserves momentum to round-off, also where nodes are nearly empty") {
-  Fall fall({});
+  std::vector<std::string> settings;
+  SUBCASE("slipping") {}
+  SUBCASE("sticking") { settings = {"membranes.geotextile.shear=no_slip"}; }
+  SUBCASE("rubbing") { settings = {"membranes.geotextile.shear=wall_law", "membranes.geotextile.wall_friction=0.5"}; }
+  Fall fall(settings);
   fall.scramble_velocities(1);
   const auto inside = fall.momentum(1), around = fall.momentum(0);
   join_interfaces(fall.state, fall.grids, 1e-3);
@@ -96,6 +100,31 @@ TEST_CASE("Joined velocities need no further pressure") {
   for (const double p : fall.membrane().water_pressure) after = std::max(after, std::abs(p));
   CHECK(before > 1e4);
   CHECK(after < 1e-5 * before);
+}
+
+TEST_CASE("Water that sticks no longer slips, and a second look finds no traction") {
+  Fall fall({"membranes.geotextile.shear=no_slip"});
+  fall.scramble_velocities(3);
+  const auto largest = [&] {
+    double traction = 0;
+    for (const double tau : fall.membrane().water_shear) traction = std::max(traction, std::abs(tau));
+    return traction;
+  };
+  join_interfaces(fall.state, fall.grids, 1e-3);
+  const double before = largest();
+  join_interfaces(fall.state, fall.grids, 1e-3);
+  CHECK(before > 1e4);
+  CHECK(largest() < 1e-5 * before);
+}
+
+TEST_CASE("Both sides have all of a cut cell's splines between them") {
+  const Fall fall({});
+  for (const Grid<2>& grid : fall.grids)
+    for (const PartCell& part : grid.part_cells) {
+      double elsewhere = 0;
+      for (const double value : part.elsewhere) elsewhere += value;
+      CHECK(elsewhere == doctest::Approx(grid.taken[part.flat]));
+    }
 }
 
 TEST_CASE("A field that moves as a whole flows through no part of a cell") {

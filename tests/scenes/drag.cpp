@@ -1,0 +1,73 @@
+// What hinders a body in water, beside closed forms.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/program.hpp"
+
+using namespace geodrop::test;
+
+namespace {
+
+double result(const std::string& scene, const std::vector<std::string>& settings, const std::string& name) {
+  const SceneRun run(scene, settings);
+  REQUIRE(run.outcome().code == 0);
+  return run.result(name);
+}
+
+double last_of(const SceneRun& run, const std::string& column) { return run.column(column).back(); }
+
+}  // namespace
+
+TEST_CASE("A cylinder that water sticks to sinks between walls as creeping flow says") {
+  constexpr double exact = 2.00027e-3;
+  const std::string scene = "cases/verification/cylinder_between_walls.toml";
+  const double coarse = exact - result(scene, {"grid.spacing=0.0625"}, "velocity_m_s");
+  const double fine = exact - result(scene, {}, "velocity_m_s");
+  CHECK(std::abs(fine) < 0.03 * exact);          // measured 2.2 %; 18 % at h = D/4, 0.4 % at D/16
+  CHECK(std::abs(fine) < std::abs(coarse) / 4);  // second order
+  CHECK(result(scene, {"membranes.skin.shear=none"}, "velocity_m_s") > 1.2 * exact);  // slipping, it sinks faster
+}
+
+TEST_CASE("Eddies of one mixing length give a channel its profile") {
+  const SceneRun run("tests/scenes/mixing_channel.toml");
+  REQUIRE(run.outcome().code == 0);
+  const auto exact = [](double x) {
+    return -2.0 / 3 * std::sqrt(0.08) / 0.1 * (std::pow(0.5, 1.5) - std::pow(0.5 - x, 1.5));
+  };
+  CHECK(last_of(run, "x1.velocity_y_m_s") == doctest::Approx(exact(0.1)).epsilon(0.03));
+  CHECK(last_of(run, "x3.velocity_y_m_s") == doctest::Approx(exact(0.3)).epsilon(0.02));
+  CHECK(last_of(run, "x5.velocity_y_m_s") == doctest::Approx(exact(0.5)).epsilon(0.02));
+}
+
+TEST_CASE("With a drag coefficient an ellipse comes to its terminal velocity") {
+  const SceneRun run("cases/ellipse_release.toml",
+                     {"grid.spacing=0.5", "materials.water.sound_speed=60.0", "time.end=2.5",
+                      "output.history_interval=0.05", "membranes.geotextile.drag_coefficient=20.0"});
+  REQUIRE(run.outcome().code == 0);
+  const double weight = 631 * 9.81 * 5.30607, width = 2 * 0.507698;
+  const double terminal = std::sqrt(2 * weight / (1000 * 20 * width));  // 1.80 m/s; 3.5 and growing without drag
+  CHECK(-last_of(run, "ellipse.velocity_y_m_s") == doctest::Approx(terminal).epsilon(0.03));
+}
+
+TEST_CASE("The wall law slows a cylinder down by the friction of potential flow around it") {
+  const std::vector<std::string> settings = {"materials.water.sound_speed=60.0", "time.end=0.5",
+                                             "output.history_interval=0.01"};
+  const auto velocity = [&](std::vector<std::string> more) {
+    more.insert(more.end(), settings.begin(), settings.end());
+    const SceneRun run("cases/cylinder_release.toml", more);
+    REQUIRE(run.outcome().code == 0);
+    return -last_of(run, "cylinder.velocity_y_m_s");
+  };
+  const double slips = velocity({}),
+               rubs = velocity({"membranes.geotextile.shear=wall_law", "membranes.geotextile.wall_friction=0.5"});
+  // u = 2 v sin(theta): the friction takes 1/2 rho C_f R int u^3 = 32/3 rho C_f R v^3, all from the body's fall (half
+  // of it directly, half by the pressure of the layer that thickens); M dv/dt = W - k v^2.
+  constexpr double radius = 1.3, friction = 0.5;
+  const double weight = 631 * 9.81 * std::numbers::pi * radius * radius;
+  const double k = 32.0 / 3 * 1000 * friction * radius, limit = std::sqrt(weight / k);
+  const double loss = 1 - limit * std::tanh(2.313 * 0.5 / limit) / (2.313 * 0.5);
+  MESSAGE("slipping ", slips, ", rubbing ", rubs, ", loss ", 1 - rubs / slips, ", of potential flow ", loss);
+  CHECK(1 - rubs / slips == doctest::Approx(loss).epsilon(0.25));
+}
