@@ -4,6 +4,7 @@
 #include <geodrop/grid.hpp>
 #include <geodrop/state.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,21 +19,27 @@ struct PieceIntegral {
   std::array<double, 2> normal{};  ///< outward, as long as the piece [m]
 };
 
+/// The splines of an axis on the knot span of a stored node, at a place in it.
+inline ThreeWeights weights_in(const GridLayout<2>& layout, int axis, int stored_node, double x) {
+  if (layout.graded()) return GradedBspline2::at(layout.knots[axis][stored_node], x);
+  return Bspline2::at((x - layout.node(axis, stored_node - GridLayout<2>::pad)) * layout.inv_h, 0);
+}
+
 /// Three Gauss points are exact: N is of degree four along a straight line.
 inline PieceIntegral integrate_piece(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
                                      const CutCells::Piece& piece) {
   const auto& [x, y] = membrane.x;
   const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
   const double dx = x[to] - x[from], dy = y[to] - y[from], part = piece.to - piece.from;
-  const std::array<double, 2> centre = {layout.node(0, cells.first[0] + piece.cell % cells.count[0] - layout.pad),
-                                        layout.node(1, cells.first[1] + piece.cell / cells.count[0] - layout.pad)};
+  const int column = cells.first[0] + piece.cell % cells.count[0];
+  const int row = cells.first[1] + piece.cell / cells.count[0];
   PieceIntegral out;
   out.normal = {cells.sense * part * dy, -cells.sense * part * dx};
   constexpr double offset[] = {-0.7745966692414834, 0, 0.7745966692414834}, weight[] = {5.0 / 18, 4.0 / 9, 5.0 / 18};
   for (int g = 0; g < 3; ++g) {
     const double share = piece.from + 0.5 * (1 + offset[g]) * part;
-    const ThreeWeights u = Bspline2::at((x[from] + share * dx - centre[0]) * layout.inv_h, 0);
-    const ThreeWeights v = Bspline2::at((y[from] + share * dy - centre[1]) * layout.inv_h, 0);
+    const ThreeWeights u = weights_in(layout, 0, column, x[from] + share * dx);
+    const ThreeWeights v = weights_in(layout, 1, row, y[from] + share * dy);
     const double along_x[] = {u.w0, u.w1, u.w2}, along_y[] = {v.w0, v.w1, v.w2};
     for (int n = 0; n < 9; ++n) out.mean[n] += weight[g] * along_x[n % 3] * along_y[n / 3];
   }
@@ -41,6 +48,16 @@ inline PieceIntegral integrate_piece(const GridLayout<2>& layout, const Membrane
 
 /// Whether a membrane is there and has a sharp interface.
 inline bool acts_sharply(const Membrane<2>& membrane) { return membrane.sharp && membrane.field != waiting; }
+
+/// The knot span of a cell along one axis.
+inline SpanShape span_of(const GridLayout<2>& layout, int axis, int flat) {
+  return layout.span_shape(axis, axis == 0 ? flat % layout.stride[1] : flat / layout.stride[1]);
+}
+
+/// Width of a cell where it is narrower [m].
+inline double least_width(const GridLayout<2>& layout, int flat) {
+  return std::min(span_of(layout, 0, flat).width, span_of(layout, 1, flat).width);
+}
 
 /// Flat index of node n of the 3 x 3 around a cell.
 inline int node_around(const GridLayout<2>& layout, int flat, int n) {
