@@ -27,6 +27,17 @@ inline constexpr int slab_width = Dim == 2 ? 8 : 4;
 template <int Dim>
 inline constexpr int slab_colours = Dim == 2 ? 2 : 4;
 
+/// What the quadratic splines of an axis look like on one knot span: at its upper end that of the node above is
+/// `above`, at its lower end that of the node below is `below` [-]; on a uniform grid both are 1/2.
+struct SpanShape {
+  double width;  ///< [m]
+  double below = 0.5, above = 0.5;
+
+  /// int N over the span [width] and int N' of the nodes below, at and above.
+  std::array<double, 3> values() const { return {below / 3, (3 - below - above) / 3, above / 3}; }
+  std::array<double, 3> slopes() const { return {-below, below - above, above}; }
+};
+
 template <int Dim>
 struct GridLayout {
   static constexpr int pad = 2;
@@ -79,6 +90,12 @@ struct GridLayout {
   double node(int axis, int i) const { return graded() ? knots[axis].node(i + pad) : lower[axis] + i * h; }
   /// Width of the knot span of node i along one axis, walls or not [h].
   double span_width(int axis, int i) const { return graded() ? knots[axis][i + pad].width * inv_h : 1.0; }
+  /// The knot span of a stored node along one axis, walls or not.
+  SpanShape span_shape(int axis, int stored_node) const {
+    if (!graded()) return {h};
+    const KnotSpan& span = knots[axis][stored_node];
+    return {span.width, span.width / (2 * span.gap_below), span.width / (2 * span.gap_above)};
+  }
   /// Integral of the spline of node i along one axis, walls or not: the mean of its three spans [h].
   double spline_width(int axis, int i) const {
     if (!graded()) return 1.0;
@@ -93,7 +110,7 @@ enum CellFlag : std::uint8_t {
   cell_shiftable = 2  ///< its neighbourhood is full of material and free of membranes
 };
 
-/// Integrals of 1, z, z^2 over the part of a face inside; z from -1/2 to 1/2 along it [h].
+/// Integrals of 1, z, z^2 over the part of a face inside; z from -1/2 to 1/2 along it [its length].
 using FaceMoments = std::array<double, 3>;
 
 /// The cells that a closed polygon cuts (2D), see membrane/cut_cells. Local cells i + j nx of a box.
@@ -125,7 +142,7 @@ struct PartCell {
   int flat = 0;
   int host = -1;  ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
   std::array<std::array<double, 2>, 9> slope{};  ///< int grad N over the part, of the 3 x 3 nodes around, x fastest [m]
-  std::array<double, 9> elsewhere{};             ///< int N over the rest of the cell, likewise [h2]
+  std::array<double, 9> elsewhere{};             ///< int N over the rest of the cell, likewise [m2]
 };
 
 /// Everything that the stages of one step hand to each other: one velocity field. Cleared anew each step, so not part

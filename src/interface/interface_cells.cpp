@@ -32,45 +32,70 @@ void check_walls(const GridLayout<2>& layout, const Membrane<2>& membrane, const
   }
 }
 
-Slope whole_cell(const GridLayout<2>& layout) {
-  constexpr double value[] = {1.0 / 6, 2.0 / 3, 1.0 / 6}, slope[] = {-0.5, 0, 0.5};
+/// The knot spans of a cell along x and y.
+using CellSpans = std::array<SpanShape, 2>;
+
+CellSpans spans_of(const GridLayout<2>& layout, int flat) {
+  return {span_of(layout, 0, flat), span_of(layout, 1, flat)};
+}
+
+/// Integral of a node's spline over the plane [m2].
+double spline_area(const GridLayout<2>& layout, int node) {
+  const int i = node % layout.stride[1] - layout.pad, j = node / layout.stride[1] - layout.pad;
+  return layout.spline_width(0, i) * layout.spline_width(1, j) * layout.h * layout.h;
+}
+
+Slope whole_cell(const CellSpans& cell) {
+  const auto [x_span, y_span] = cell;
+  const std::array<double, 3> value_x = x_span.values(), slope_x = x_span.slopes();
+  const std::array<double, 3> value_y = y_span.values(), slope_y = y_span.slopes();
   Slope whole;
   for (int y = 0; y < 3; ++y)
-    for (int x = 0; x < 3; ++x) whole[x + 3 * y] = {layout.h * slope[x] * value[y], layout.h * value[x] * slope[y]};
+    for (int x = 0; x < 3; ++x)
+      whole[x + 3 * y] = {y_span.width * slope_x[x] * value_y[y], x_span.width * value_x[x] * slope_y[y]};
   return whole;
 }
 
 /// Adds int N n over the part of a face inside; the face is on the side `side` (0 below, 1 above) of the cell.
-void add_face(const FaceMoments& moments, int axis, int side, double h, Slope& slope) {
-  const std::array<double, 3> along = face_integrals(moments);
+void add_face(const FaceMoments& moments, int axis, int side, const CellSpans& cell, Slope& slope) {
+  const SpanShape &across = cell[axis], &face = cell[1 - axis];
+  const std::array<double, 3> along = face_integrals(moments, face.below, face.above);
+  const double sign = side == 1 ? 1 : -1, beyond = side == 1 ? across.above : across.below;
   for (int n = 0; n < 3; ++n)
-    for (int across = side; across < side + 2; ++across) {  // N across is 1/2 for both
-      const int node = axis == 0 ? across + 3 * n : n + 3 * across;
-      slope[node][axis] += (side == 1 ? 0.5 : -0.5) * h * along[n];
+    for (const int k : {side, side + 1}) {
+      const int node = axis == 0 ? k + 3 * n : n + 3 * k;
+      slope[node][axis] += sign * (k == 1 ? 1 - beyond : beyond) * face.width * along[n];
     }
 }
 
 /// a_ic of a cut cell without what the membrane adds.
-Slope faces_of(const CutCells& cells, int c, double h) {
+Slope faces_of(const CutCells& cells, int c, const CellSpans& cell) {
   Slope slope{};
-  add_face(cells.right_face[c], 0, 1, h, slope);
-  add_face(cells.right_face[c - 1], 0, 0, h, slope);
-  add_face(cells.top_face[c], 1, 1, h, slope);
-  add_face(cells.top_face[c - cells.count[0]], 1, 0, h, slope);
+  add_face(cells.right_face[c], 0, 1, cell, slope);
+  add_face(cells.right_face[c - 1], 0, 0, cell, slope);
+  add_face(cells.top_face[c], 1, 1, cell, slope);
+  add_face(cells.top_face[c - cells.count[0]], 1, 0, cell, slope);
   return slope;
 }
 
-constexpr std::array<double, 3> whole_value = {1.0 / 6, 2.0 / 3, 1.0 / 6};  // int N over a cell along an axis [h]
-
-/// int N over the part of a cell inside without what the membrane adds, by Green's theorem [h2].
-std::array<double, 9> beside_right_face(const CutCells& cells, int c) {
-  const std::array<double, 3> along = face_integrals(cells.right_face[c]);
+/// int N over a cell [m2].
+std::array<double, 9> whole_value(const CellSpans& cell) {
+  const std::array<double, 3> x = cell[0].values(), y = cell[1].values();
   std::array<double, 9> value;
-  for (int n = 0; n < 9; ++n) value[n] = whole_value[n % 3] * along[n / 3];
+  for (int n = 0; n < 9; ++n) value[n] = cell[0].width * x[n % 3] * cell[1].width * y[n / 3];
   return value;
 }
 
-/// What an outline makes of a cell that it cuts: a_ic, int N over the part inside [h2], the sum of outward normals [m].
+/// int N over the part of a cell inside without what the membrane adds, by Green's theorem [m2].
+std::array<double, 9> beside_right_face(const CutCells& cells, int c, const CellSpans& cell) {
+  const std::array<double, 3> x = cell[0].values();
+  const std::array<double, 3> along = face_integrals(cells.right_face[c], cell[1].below, cell[1].above);
+  std::array<double, 9> value;
+  for (int n = 0; n < 9; ++n) value[n] = cell[0].width * x[n % 3] * cell[1].width * along[n / 3];
+  return value;
+}
+
+/// What an outline makes of a cell that it cuts: a_ic, int N over the part inside [m2], the sum of outward normals [m].
 struct CutCell {
   int flat;
   Slope inside{};
@@ -85,12 +110,15 @@ std::vector<CutCell> cut_cells_of(const Grid<2>& grid, const Membrane<2>& membra
   for (const CutCells::Piece& piece : cells.pieces) {
     if (place[piece.cell] < 0) {
       place[piece.cell] = static_cast<int>(cut.size());
-      cut.push_back({flat_of(grid.layout, cells, piece.cell), faces_of(cells, piece.cell, grid.layout.h),
-                     beside_right_face(cells, piece.cell), {}});
+      const int flat = flat_of(grid.layout, cells, piece.cell);
+      cut.push_back({flat,
+                     faces_of(cells, piece.cell, spans_of(grid.layout, flat)),
+                     beside_right_face(cells, piece.cell, spans_of(grid.layout, flat)),
+                     {}});
     }
     CutCell& cell = cut[place[piece.cell]];
     const PieceIntegral integral = integrate_piece(grid.layout, membrane, cells, piece);
-    for (int n = 0; n < 9; ++n) cell.value[n] += integral.beside[n] * integral.normal[0] * grid.layout.inv_h;
+    for (int n = 0; n < 9; ++n) cell.value[n] += integral.beside[n] * integral.normal[0];
     for (int a = 0; a < 2; ++a) {
       cell.normal[a] += integral.normal[a];
       for (int n = 0; n < 9; ++n) cell.inside[n][a] += integral.mean[n] * integral.normal[a];
@@ -101,7 +129,8 @@ std::vector<CutCell> cut_cells_of(const Grid<2>& grid, const Membrane<2>& membra
 
 /// Whether the field's part of a cell stands by itself.
 bool stands(const Grid<2>& grid, int flat) {
-  const double whole = grid.layout.h * grid.layout.h;
+  const CellSpans cell = spans_of(grid.layout, flat);
+  const double whole = cell[0].width * cell[1].width;
   return 1 - grid.taken[flat] >= least_part && (grid.cell_flags[flat] & cell_filled) &&
          grid.cell_volume[flat] >= least_filled * whole;
 }
@@ -147,10 +176,10 @@ void for_each_uncut(const GridLayout<2>& layout, const CutCells& cells, bool ins
 
 /// Cells whose pressure others share are parts too, so that a host and its guests stand together in the list.
 void sort_by_host(Grid<2>& grid, PartList& parts) {
-  const Slope whole = whole_cell(grid.layout);
   const std::size_t guests = grid.part_cells.size();
   for (std::size_t n = 0; n < guests; ++n)
-    if (const int host = grid.part_cells[n].host; host >= 0) parts.at(host, whole).host = host;
+    if (const int host = grid.part_cells[n].host; host >= 0)
+      parts.at(host, whole_cell(spans_of(grid.layout, host))).host = host;
   std::sort(grid.part_cells.begin(), grid.part_cells.end(),
             [](const PartCell& a, const PartCell& b) { return std::pair(a.host, a.flat) < std::pair(b.host, b.flat); });
 }
@@ -230,17 +259,18 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
   Grid<2>& around = grids.front();
   std::vector<PartList> lists;
   for (Grid<2>& grid : grids) lists.emplace_back(grid);
-  const Slope whole = whole_cell(around.layout);
   for (const Membrane<2>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
     Grid<2>& grid = grids[membrane.field];
     for (const CutCell& cell : cut_cells_of(grid, membrane)) {
       PartCell& inside = lists[membrane.field].at(cell.flat, cell.inside);
       inside.host = find_host(grid, cell.flat, {-cell.normal[0], -cell.normal[1]});
-      PartCell& outside = lists.front().at(cell.flat, whole);
+      const CellSpans spans = spans_of(around.layout, cell.flat);
+      PartCell& outside = lists.front().at(cell.flat, whole_cell(spans));
       outside.host = is_wet(around, cell.flat) ? find_host(around, cell.flat, cell.normal) : -1;
+      const std::array<double, 9> whole = whole_value(spans);
       for (int n = 0; n < 9; ++n) {
-        inside.elsewhere[n] += whole_value[n % 3] * whole_value[n / 3] - cell.value[n];
+        inside.elsewhere[n] += whole[n] - cell.value[n];
         outside.elsewhere[n] += cell.value[n];
         for (int a = 0; a < 2; ++a) outside.slope[n][a] -= cell.inside[n][a];
       }
@@ -268,44 +298,49 @@ void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt) {
     const auto* fluid = std::get_if<Newtonian>(&body.material);
     if (!fluid || body.field == waiting || body.pressure != PressureSupport::cell) continue;
     const Grid<2>& grid = grids[body.field];
-    const double share = evening * wave_speed(body.material) * dt * grid.layout.inv_h;
+    const double way = evening * wave_speed(body.material) * dt, share = way * grid.layout.inv_h;
     const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
       const int cell = grid.layout.index({grid.layout.base(0, body.x[0][p]), grid.layout.base(1, body.x[1][p])});
       if (!(grid.cell_flags[cell] & cell_filled)) continue;
       const double mean = 1 / (1 + grid.cell_pressure[cell] / fluid->bulk_modulus);
-      body.J[p] += share * (mean - body.J[p]);
+      const double here = grid.layout.graded() ? way / least_width(grid.layout, cell) : share;
+      body.J[p] += here * (mean - body.J[p]);
     }
   }
 }
 
 template <>
 void fill_other_sides(const State<2>& state, Grids<2>& grids) {
-  const auto fill = [](Grid<2>& grid, int flat, const auto& value) {
-    for (int n = 0; n < 9; ++n) grid.velocity[node_around(grid.layout, flat, n)][3] += value(n);
+  const GridLayout<2>& layout = grids.front().layout;
+  const auto fill = [&](Grid<2>& grid, int flat, const std::array<double, 9>& value) {
+    for (int n = 0; n < 9; ++n) {
+      const int node = node_around(layout, flat, n);
+      grid.velocity[node][3] += value[n] / spline_area(layout, node);
+    }
   };
-  const auto whole = [](int n) { return whole_value[n % 3] * whole_value[n / 3]; };
   for (Grid<2>& grid : grids)
-    for (const PartCell& part : grid.part_cells) fill(grid, part.flat, [&](int n) { return part.elsewhere[n]; });
+    for (const PartCell& part : grid.part_cells) fill(grid, part.flat, part.elsewhere);
   for (const Membrane<2>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
     Grid<2>& grid = grids[membrane.field];
-    for_each_uncut(grid.layout, grid.outline, true, [&](int flat) { fill(grids.front(), flat, whole); });
-    for_each_uncut(grid.layout, grid.outline, false, [&](int flat) { fill(grid, flat, whole); });
+    for (const bool inside : {true, false})
+      for_each_uncut(layout, grid.outline, inside,
+                     [&](int flat) { fill(inside ? grids.front() : grid, flat, whole_value(spans_of(layout, flat))); });
   }
 }
 
 template <>
 void add_interface_force(Grids<2>& grids) {
-  for (Grid<2>& grid : grids) {
-    const Slope whole = whole_cell(grid.layout);
-    for (const PartCell& part : grid.part_cells)
+  for (Grid<2>& grid : grids)
+    for (const PartCell& part : grid.part_cells) {
+      const Slope whole = whole_cell(spans_of(grid.layout, part.flat));
       for (int n = 0; n < 9; ++n)
         for (int a = 0; a < 2; ++a)
           grid.force[node_around(grid.layout, part.flat, n)][a] +=
               grid.cell_pressure[part.flat] * (part.slope[n][a] - whole[n][a]);
-  }
+    }
 }
 
 template <>

@@ -139,7 +139,8 @@ void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids
     const bool normal = direction == Direction::normal;
     if (normal) contacts[c].pressure = traction[static_cast<Eigen::Index>(r)];
     Array<double>& target = normal ? membrane.water_pressure : membrane.water_shear;
-    const double sign = normal ? 1 : -cells.sense;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
+    const double sign =
+        normal ? 1 : -cells.sense;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
     for_each_piece(cells, contacts[c].stretch, [&](const CutCells::Piece& piece) {
       target[piece.edge] += sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
     });

@@ -9,8 +9,16 @@
 namespace geodrop {
 namespace {
 
-/// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [h].
+/// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [width of the cell].
 constexpr double least_length = 0.25;
+
+/// Mass below which a node is light, as in grid/momentum.
+double light_mass(const Grid<2>& grid, int node) {
+  if (!grid.layout.graded()) return grid.light_mass;
+  constexpr int pad = GridLayout<2>::pad;
+  const int column = node % grid.layout.stride[1], row = node / grid.layout.stride[1];
+  return grid.light_mass * grid.layout.spline_width(0, column - pad) * grid.layout.spline_width(1, row - pad);
+}
 
 }  // namespace
 
@@ -23,13 +31,10 @@ double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece) {
 std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells) {
   const auto& pieces = cells.pieces;
   const std::size_t n = pieces.size();
-  const auto wet = [&](std::size_t k) {
-    return is_wet(around, flat_of(around.layout, cells, pieces[k].cell));
-  };
+  const auto wet = [&](std::size_t k) { return is_wet(around, flat_of(around.layout, cells, pieces[k].cell)); };
   std::size_t start = 0;  // where a cell begins
   while (start + 1 < n && pieces[start].cell == pieces[(start + n - 1) % n].cell) ++start;
   std::vector<Stretch> stretches;
-  const double least = least_length * around.layout.h;
   bool open = false;  // the last stretch goes on
   for (std::size_t k = 0; k < n;) {
     const std::size_t at = (start + k) % n;
@@ -40,6 +45,7 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
       open = false;
       continue;
     }
+    const double least = least_length * least_width(around.layout, flat_of(around.layout, cells, pieces[at].cell));
     const bool join = open && (visit.length < least || stretches.back().length < least);
     if (join) {
       stretches.back().count += visit.count;
@@ -94,7 +100,7 @@ bool Rows::add_field(int field, double sign, const std::vector<NodeVector>& vect
   std::array<double, 2> nowhere{};  // vectors with no mass around
   const std::size_t before = touched_.size();
   for (const NodeVector& vector : vectors) {
-    const double mass = grid.sum[vector.node][3], kept = std::min(1.0, mass / grid.light_mass);
+    const double mass = grid.sum[vector.node][3], kept = std::min(1.0, mass / light_mass(grid, vector.node));
     const std::array<double, 2> value = {sign * vector.value[0], sign * vector.value[1]};
     if (kept > 0) put(field, vector.node, kept, value);
     if (kept < 1 && !spread(field, vector.node, 1 - kept, value))

@@ -32,7 +32,7 @@ class NearEdges {
     if (nearest.edge < 0) return x;
     const Vec<2> normal = normal_at(nearest);
     const bool is_inside = (x - nearest.point).dot(normal) < 0;
-    return is_inside == inside ? x : Vec<2>(nearest.point + (inside ? -1 : 1) * distance * layout_.h * normal);
+    return is_inside == inside ? x : Vec<2>(nearest.point + (inside ? -1 : 1) * distance * layout_.finest * normal);
   }
 
  private:

@@ -1,5 +1,5 @@
-// The drag of a wake that a flow without friction lacks, as an engineer puts it: F = 1/2 rho C_d W |v| v, W the width of
-// the body across its motion. It acts on the parts of the membrane that face the motion and are wet, as the traction
+// The drag of a wake that a flow without friction lacks, as an engineer puts it: F = 1/2 rho C_d W |v| v, W the width
+// of the body across its motion. It acts on the parts of the membrane that face the motion and are wet, as the traction
 //
 //   t = -1/2 rho C_d (n . v)+ v
 //

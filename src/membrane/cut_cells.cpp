@@ -40,28 +40,92 @@ void set_box(const GridLayout<2>& layout, const Array<double>& x, const Array<do
   cells.pieces.clear();
 }
 
+/// A place and the way along an edge as the cell sees them, from its middle in its own widths.
+struct InCell {
+  int i, j;  ///< in the box
+  double xi, eta, d_xi, d_eta;
+};
+
 /// An edge in units of h from the lower corner of the box.
-struct Edge {
+struct UniformEdge {
   double u, v, du, dv;
+
+  UniformEdge(const GridLayout<2>& layout, const CutCells& cells, const Vec<2>& from, const Vec<2>& along)
+      : u((from[0] - layout.lower[0]) * layout.inv_h + (0.5 + GridLayout<2>::pad - cells.first[0])),
+        v((from[1] - layout.lower[1]) * layout.inv_h + (0.5 + GridLayout<2>::pad - cells.first[1])),
+        du(along[0] * layout.inv_h),
+        dv(along[1] * layout.inv_h) {}
+
+  void add_cuts(std::vector<double>& cuts) const {
+    add_crossings(u, du, cuts);
+    add_crossings(v, dv, cuts);
+  }
+  InCell in_cell_at(double t) const {
+    const int i = static_cast<int>(u + t * du), j = static_cast<int>(v + t * dv);
+    return {i, j, u - i - 0.5, v - j - 0.5, du, dv};
+  }
+};
+
+/// An edge between knots of unlike distance.
+class GradedEdge {
+ public:
+  GradedEdge(const GridLayout<2>& layout, const CutCells& cells, const Vec<2>& from, const Vec<2>& along)
+      : layout_(layout), cells_(cells), from_(from), along_(along) {}
+
+  void add_cuts(std::vector<double>& cuts) const {
+    for (int a = 0; a < 2; ++a) {
+      const KnotTable& knots = layout_.knots[a];
+      const double low = std::min(from_[a], from_[a] + along_[a]), high = std::max(from_[a], from_[a] + along_[a]);
+      for (int k = knots.find(low) + 1; knots[k].left < high; ++k)
+        cuts.push_back((knots[k].left - from_[a]) / along_[a]);
+    }
+  }
+  InCell in_cell_at(double t) const {
+    std::array<int, 2> cell;
+    std::array<double, 2> z, d_z;
+    for (int a = 0; a < 2; ++a) {
+      const KnotTable& knots = layout_.knots[a];
+      const int k = knots.find(from_[a] + t * along_[a]);
+      cell[a] = k - cells_.first[a];
+      z[a] = (from_[a] - knots.node(k)) / knots[k].width;
+      d_z[a] = along_[a] / knots[k].width;
+    }
+    return {cell[0], cell[1], z[0], z[1], d_z[0], d_z[1]};
+  }
+
+ private:
+  const GridLayout<2>& layout_;
+  const CutCells& cells_;
+  Vec<2> from_, along_;
 };
 
 /// Cuts an edge at the faces of cells. What each piece adds to lines beside and below it is left in the entries of its
 /// own cell: faces are summed up later.
-void add_edge(const Edge& edge, int number, double sign, std::vector<double>& cuts, CutCells& cells) {
+template <class Edge>
+void add_edge(const Edge& edge, int number, std::vector<double>& cuts, CutCells& cells) {
+  const double sign = cells.sense;
   cuts.assign({0.0, 1.0});
-  add_crossings(edge.u, edge.du, cuts);
-  add_crossings(edge.v, edge.dv, cuts);
+  edge.add_cuts(cuts);
   std::sort(cuts.begin(), cuts.end());
   for (std::size_t n = 1; n < cuts.size(); ++n) {
     const double from = cuts[n - 1], to = cuts[n], middle = 0.5 * (from + to);
     if (to <= from) continue;
-    const int i = static_cast<int>(edge.u + middle * edge.du), j = static_cast<int>(edge.v + middle * edge.dv);
-    const double xi = edge.u - i - 0.5, eta = edge.v - j - 0.5;
+    const auto [i, j, xi, eta, d_xi, d_eta] = edge.in_cell_at(middle);
     const int cell = i + j * cells.count[0];
-    cells.area[cell] += sign * (xi + middle * edge.du + 0.5) * (to - from) * edge.dv;
-    add(sign, moments_between(eta + from * edge.dv, eta + to * edge.dv), cells.right_face[cell]);
-    add(-sign, moments_between(xi + from * edge.du, xi + to * edge.du), cells.top_face[cell]);
+    cells.area[cell] += sign * (xi + middle * d_xi + 0.5) * (to - from) * d_eta;
+    add(sign, moments_between(eta + from * d_eta, eta + to * d_eta), cells.right_face[cell]);
+    add(-sign, moments_between(xi + from * d_xi, xi + to * d_xi), cells.top_face[cell]);
     cells.pieces.push_back({cell, number, from, to});
+  }
+}
+
+template <class Edge>
+void add_edges(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, CutCells& cells) {
+  std::vector<double> cuts;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const std::size_t next = end_of_edge(k, x.size());
+    const Edge edge(layout, cells, {x[k], y[k]}, {x[next] - x[k], y[next] - y[k]});
+    add_edge(edge, static_cast<int>(k), cuts, cells);
   }
 }
 
@@ -82,15 +146,10 @@ void sum_up(int first, int step, int count, Array<FaceMoments>& face, Array<doub
 void cut_cells(const GridLayout<2>& layout, const Array<double>& x, const Array<double>& y, CutCells& cells) {
   set_box(layout, x, y, cells);
   cells.sense = signed_area(x, y) > 0 ? 1 : -1;
-  const double to_box[] = {0.5 + GridLayout<2>::pad - cells.first[0], 0.5 + GridLayout<2>::pad - cells.first[1]};
-  std::vector<double> cuts;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const std::size_t next = end_of_edge(k, x.size());
-    const Edge edge{(x[k] - layout.lower[0]) * layout.inv_h + to_box[0],
-                    (y[k] - layout.lower[1]) * layout.inv_h + to_box[1], (x[next] - x[k]) * layout.inv_h,
-                    (y[next] - y[k]) * layout.inv_h};
-    add_edge(edge, static_cast<int>(k), cells.sense, cuts, cells);
-  }
+  if (layout.graded())
+    add_edges<GradedEdge>(layout, x, y, cells);
+  else
+    add_edges<UniformEdge>(layout, x, y, cells);
   const auto [nx, ny] = cells.count;
   for (int j = 0; j < ny; ++j) sum_up(j * nx, 1, nx, cells.right_face, &cells.area);
   for (int i = 0; i < nx; ++i) sum_up(i, nx, ny, cells.top_face, nullptr);

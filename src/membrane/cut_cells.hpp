@@ -30,9 +30,12 @@ inline int flat_of(const GridLayout<2>& layout, const CutCells& cells, int cell)
   return cells.first[0] + cell % cells.count[0] + (cells.first[1] + cell / cells.count[0]) * layout.stride[1];
 }
 
-/// int N over the part of a face inside, for the three nodes along it; N of the quadratic spline [h].
-inline std::array<double, 3> face_integrals(const FaceMoments& m) {
-  return {0.125 * m[0] - 0.5 * m[1] + 0.5 * m[2], 0.75 * m[0] - m[2], 0.125 * m[0] + 0.5 * m[1] + 0.5 * m[2]};
+/// int N over the part of a face inside, for the three nodes along it; N of the quadratic spline on the span that the
+/// face is [its length].
+inline std::array<double, 3> face_integrals(const FaceMoments& m, double below = 0.5, double above = 0.5) {
+  return {below * (0.25 * m[0] - m[1] + m[2]),
+          (1 - (below + above) / 4) * m[0] + (below - above) * m[1] - (below + above) * m[2],
+          above * (0.25 * m[0] + m[1] + m[2])};
 }
 
 }  // namespace geodrop

@@ -1,6 +1,7 @@
 #include "pressure_probe.hpp"
 
 #include <geodrop/find_named.hpp>
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/measure.hpp>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ std::vector<Vec<Dim>> tips_of(const State<Dim>& state, const std::string& name) 
 template <int Dim>
 PressureSpread pressure_spread(const Scene& scene, const HydrostaticProbeSpec& probe, const State<Dim>& state) {
   const Material material = make_material(*find_material(scene, probe.still.fluid));
-  const double gravity = -scene.gravity[vertical_axis<Dim>], near = 2 * scene.grid.spacing, percent = 99.9;
+  const double gravity = -scene.gravity[vertical_axis<Dim>], near = 2 * finest_spacing(scene.grid), percent = 99.9;
   const std::vector<Vec<Dim>> tips = tips_of(state, probe.tips_of);
   const Body<Dim>& body = find_named(state.bodies, probe.body);
   std::vector<double> elsewhere, at_tips;

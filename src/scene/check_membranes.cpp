@@ -69,7 +69,7 @@ void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::stri
     check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
 }
 
-/// Both sides of a sharp interface have pressures of cells, and cells are knot spans of one size.
+/// Both sides of a sharp interface have pressures of cells, and cells are knot spans.
 void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
     return;
@@ -82,8 +82,8 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     });
   };
   const BodySpec* body = find_body(scene, membrane.body);
-  if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
-    refuse("on a grid whose cells are not knot spans of one size", "sharp with basis = \"bspline2\" and no zones");
+  if (scene.grid.basis != Basis::bspline2)
+    refuse("on a grid whose cells are not knot spans", "sharp with basis = \"bspline2\"");
   else if (scene.solver.transfer == Transfer::musl)
     refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
   else if (!membrane.closed)

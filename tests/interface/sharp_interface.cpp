@@ -57,6 +57,11 @@ struct Fall {
   const Membrane<2>& membrane() const { return state.membranes[0]; }
 };
 
+/// Cells of one size, and such whose width changes along the outline.
+const std::vector<std::string> uniform{},
+    graded{
+        "grid.refine=[{axis='x',from=-0.2,to=0.7,spacing=0.25,growth=1.3},{axis='y',from=11.0,to=13.5,spacing=0.2}]"};
+
 /// sum_i v_i . g_ic over all parts of cells of a field, and the same as volume rates of its groups [m2/s].
 std::pair<double, double> flow_and_rates(const Grid<2>& grid) {
   double flow = 0, rates = 0;
@@ -74,32 +79,35 @@ std::pair<double, double> flow_and_rates(const Grid<2>& grid) {
 }  // namespace
 
 TEST_CASE("Joining conserves momentum to round-off, also where nodes are nearly empty") {
-  std::vector<std::string> settings;
-  SUBCASE("slipping") {}
-  SUBCASE("sticking") { settings = {"membranes.geotextile.shear=no_slip"}; }
-  SUBCASE("rubbing") { settings = {"membranes.geotextile.shear=wall_law", "membranes.geotextile.wall_friction=0.5"}; }
-  Fall fall(settings);
-  fall.scramble_velocities(1);
-  const auto inside = fall.momentum(1), around = fall.momentum(0);
-  join_interfaces(fall.state, fall.grids, 1e-3);
-  const auto inside_after = fall.momentum(1), around_after = fall.momentum(0);
-  for (int a = 0; a < 2; ++a) {
-    const double given = inside_after[a] - inside[a], taken = around[a] - around_after[a];
-    CHECK(std::abs(given) > 1);  // something was exchanged
-    CHECK(given == doctest::Approx(taken).epsilon(1e-10));
+  const std::vector<std::string> sticks = {"membranes.geotextile.shear=no_slip"},
+                                 rubs = {"membranes.geotextile.shear=wall_law",
+                                         "membranes.geotextile.wall_friction=0.5"};
+  for (const auto& settings : {uniform, graded, sticks, rubs}) {
+    Fall fall(settings);
+    fall.scramble_velocities(1);
+    const auto inside = fall.momentum(1), around = fall.momentum(0);
+    join_interfaces(fall.state, fall.grids, 1e-3);
+    const auto inside_after = fall.momentum(1), around_after = fall.momentum(0);
+    for (int a = 0; a < 2; ++a) {
+      const double given = inside_after[a] - inside[a], taken = around[a] - around_after[a];
+      CHECK(std::abs(given) > 1);  // something was exchanged
+      CHECK(given == doctest::Approx(taken).epsilon(1e-10));
+    }
   }
 }
 
 TEST_CASE("Joined velocities need no further pressure") {
-  Fall fall({});
-  fall.scramble_velocities(2);
-  join_interfaces(fall.state, fall.grids, 1e-3);
-  double before = 0, after = 0;
-  for (const double p : fall.membrane().water_pressure) before = std::max(before, std::abs(p));
-  join_interfaces(fall.state, fall.grids, 1e-3);
-  for (const double p : fall.membrane().water_pressure) after = std::max(after, std::abs(p));
-  CHECK(before > 1e4);
-  CHECK(after < 1e-5 * before);
+  for (const auto& axes : {uniform, graded}) {
+    Fall fall(axes);
+    fall.scramble_velocities(2);
+    join_interfaces(fall.state, fall.grids, 1e-3);
+    double before = 0, after = 0;
+    for (const double p : fall.membrane().water_pressure) before = std::max(before, std::abs(p));
+    join_interfaces(fall.state, fall.grids, 1e-3);
+    for (const double p : fall.membrane().water_pressure) after = std::max(after, std::abs(p));
+    CHECK(before > 1e4);
+    CHECK(after < 1e-5 * before);
+  }
 }
 
 TEST_CASE("Water that sticks no longer slips, and a second look finds no traction") {
@@ -118,49 +126,82 @@ TEST_CASE("Water that sticks no longer slips, and a second look finds no tractio
 }
 
 TEST_CASE("Both sides have all of a cut cell's splines between them") {
-  const Fall fall({});
-  for (const Grid<2>& grid : fall.grids)
-    for (const PartCell& part : grid.part_cells) {
-      double elsewhere = 0;
-      for (const double value : part.elsewhere) elsewhere += value;
-      CHECK(elsewhere == doctest::Approx(grid.taken[part.flat]));
-    }
+  for (const auto& axes : {uniform, graded}) {
+    const Fall fall(axes);
+    const GridLayout<2>& layout = fall.grids[0].layout;
+    for (const Grid<2>& grid : fall.grids)
+      for (const PartCell& part : grid.part_cells) {
+        double elsewhere = 0;
+        for (const double value : part.elsewhere) elsewhere += value;
+        const int column = part.flat % layout.stride[1] - layout.pad, row = part.flat / layout.stride[1] - layout.pad;
+        const double area = layout.span_width(0, column) * layout.span_width(1, row) * layout.h * layout.h;
+        CHECK(elsewhere == doctest::Approx(grid.taken[part.flat] * area));
+      }
+  }
 }
 
 TEST_CASE("A field that moves as a whole flows through no part of a cell") {
-  const Fall fall({});
+  for (const auto& axes : {uniform, graded}) {
+    const Fall fall(axes);
+    for (const Grid<2>& grid : fall.grids)
+      for (const PartCell& part : grid.part_cells)
+        for (int a = 0; a < 2; ++a) {
+          double sum = 0;
+          for (const auto& slope : part.slope) sum += slope[a];
+          CHECK(std::abs(sum) < 1e-12);
+        }
+  }
+}
+
+TEST_CASE("A field that expands evenly flows out of both parts of a cell by their areas") {
+  const Fall fall(graded);
+  const GridLayout<2>& layout = fall.grids[0].layout;
+  REQUIRE(layout.graded());
+  int cut = 0;
   for (const Grid<2>& grid : fall.grids)
-    for (const PartCell& part : grid.part_cells)
-      for (int a = 0; a < 2; ++a) {
-        double sum = 0;
-        for (const auto& slope : part.slope) sum += slope[a];
-        CHECK(std::abs(sum) < 1e-12);
+    for (const PartCell& part : grid.part_cells) {
+      const int column = part.flat % layout.stride[1], row = part.flat / layout.stride[1];
+      double flow = 0;  // of v = (x, 2 y)
+      for (int n = 0; n < 9; ++n) {
+        flow += part.slope[n][0] * layout.node(0, column + n % 3 - 1 - layout.pad);
+        flow += part.slope[n][1] * 2 * layout.node(1, row + n / 3 - 1 - layout.pad);
       }
+      const double whole = layout.knots[0][column].width * layout.knots[1][row].width;
+      const double share = 1 - grid.taken[part.flat];
+      if (share > 1e-9 && share < 1 - 1e-9) ++cut;
+      if (grid.field == 1) CHECK(flow == doctest::Approx(3 * share * whole).epsilon(1e-10));
+    }
+  CHECK(cut > 20);
 }
 
 TEST_CASE("Volume rates of parts are the flow out of them") {
-  Fall fall({});
-  fall.scramble_velocities(4);
-  update_interface_rates(fall.grids);
-  for (const Grid<2>& grid : fall.grids) {
-    REQUIRE(!grid.part_cells.empty());
-    const auto [flow, rates] = flow_and_rates(grid);
-    CHECK(std::abs(flow) > 1e-3);
-    CHECK(rates == doctest::Approx(flow).epsilon(1e-10));
+  for (const auto& axes : {uniform, graded}) {
+    Fall fall(axes);
+    fall.scramble_velocities(4);
+    update_interface_rates(fall.grids);
+    for (const Grid<2>& grid : fall.grids) {
+      REQUIRE(!grid.part_cells.empty());
+      const auto [flow, rates] = flow_and_rates(grid);
+      CHECK(std::abs(flow) > 1e-3);
+      CHECK(rates == doctest::Approx(flow).epsilon(1e-10));
+    }
   }
 }
 
 TEST_CASE("An even pressure inside and around leaves everything at rest") {
-  Fall fall({"gravity=[0.0, 0.0]", "materials.water.sound_speed=60.0"}, 0);
-  constexpr double pressure = 20e3;
-  const double bulk_modulus = std::get<Newtonian>(fall.state.bodies[0].material).bulk_modulus;
-  for (double& J : fall.state.bodies[0].J) J = 1 / (1 + pressure / bulk_modulus);
-  for (int c = 0; c < 3; ++c)
-    for (double& stress : fall.state.bodies[1].stress[c]) stress = -pressure;
-  for (int k = 0; k < 5; ++k) fall.step();
-  // One step with a node out of balance by P h would give dt P / (rho h), about 0.1 m/s.
-  CHECK(fall.state.v_max < 1e-6);
-  for (const double p : fall.membrane().water_pressure) CHECK(p == doctest::Approx(pressure).epsilon(1e-6));
+  for (std::vector<std::string> overrides : {uniform, graded}) {
+    for (const char* key : {"gravity=[0.0, 0.0]", "materials.water.sound_speed=60.0"}) overrides.emplace_back(key);
+    Fall fall(overrides, 0);
+    constexpr double pressure = 20e3;
+    const double bulk_modulus = std::get<Newtonian>(fall.state.bodies[0].material).bulk_modulus;
+    for (double& J : fall.state.bodies[0].J) J = 1 / (1 + pressure / bulk_modulus);
+    for (int c = 0; c < 3; ++c)
+      for (double& stress : fall.state.bodies[1].stress[c]) stress = -pressure;
+    for (int k = 0; k < 5; ++k) fall.step();
+    // One step with a node out of balance by P h would give dt P / (rho h), about 0.1 m/s.
+    CHECK(fall.state.v_max < 1e-6);
+    for (const double p : fall.membrane().water_pressure) CHECK(p == doctest::Approx(pressure).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("Both fields have all of a cut cell between them") {

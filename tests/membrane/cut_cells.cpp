@@ -68,9 +68,9 @@ Polygon reversed(Polygon p) {
   return p;
 }
 
-/// Integrals of 1, z, z^2 over the part inside of the face at `place` across `axis`, z = 0 at `centre` [h]: from the
-/// crossings of the outline with the line that the face is a part of.
-FaceMoments moments_of_face(const Polygon& p, int axis, double place, double centre) {
+/// Integrals of 1, z, z^2 over the part inside of the face at `place` across `axis`, z = 0 at `centre` [width]: from
+/// the crossings of the outline with the line that the face is a part of.
+FaceMoments moments_of_face(const Polygon& p, int axis, double place, double centre, double width = h) {
   const Array<double>&across = axis == 0 ? p.x : p.y, &along = axis == 0 ? p.y : p.x;
   std::vector<double> crossings;
   for (std::size_t k = 0; k < p.size(); ++k) {
@@ -80,8 +80,8 @@ FaceMoments moments_of_face(const Polygon& p, int axis, double place, double cen
   std::sort(crossings.begin(), crossings.end());
   FaceMoments sum{};
   for (std::size_t n = 0; n + 1 < crossings.size(); n += 2) {
-    const double from = std::clamp((crossings[n] - centre) / h, -0.5, 0.5);
-    const double to = std::clamp((crossings[n + 1] - centre) / h, -0.5, 0.5);
+    const double from = std::clamp((crossings[n] - centre) / width, -0.5, 0.5);
+    const double to = std::clamp((crossings[n + 1] - centre) / width, -0.5, 0.5);
     for (int b = 0; b < 3; ++b) sum[b] += (std::pow(to, b + 1) - std::pow(from, b + 1)) / (b + 1);
   }
   return sum;
@@ -236,6 +236,42 @@ TEST_CASE("The pieces of an edge add up to it, each lies in its cell") {
     CHECK(start[k] == doctest::Approx(0.5).epsilon(1e-12));
     CHECK(end[k] == doctest::Approx(0.5).epsilon(1e-12));
   }
+}
+
+TEST_CASE("Cells of unlike width: shares add up to the area, faces are the parts between crossings") {
+  const Scene scene = graded_scene<2>(20, h, WallKind::slip);
+  const GridLayout<2> graded(scene.grid, scene.walls);
+  for (const int corners : {5, 60}) {
+    CAPTURE(corners);
+    const Polygon polygon = star(4.6, 5.2, corners, 18);
+    EnclosedCells cells;
+    cut_cells(graded, polygon.x, polygon.y, cells);
+    double sum = 0;
+    for (int c = 0; c < static_cast<int>(cells.area.size()); ++c) {
+      const KnotSpan& x = graded.knots[0][cells.first[0] + c % cells.count[0]];
+      const KnotSpan& y = graded.knots[1][cells.first[1] + c / cells.count[0]];
+      sum += cells.area[c] * x.width * y.width;
+      const double mid_x = x.left + x.width / 2, mid_y = y.left + y.width / 2;
+      check_moments(cells.right_face[c], moments_of_face(polygon, 0, x.left + x.width, mid_y, y.width));
+      check_moments(cells.top_face[c], moments_of_face(polygon, 1, y.left + y.width, mid_x, x.width));
+    }
+    CHECK(std::abs(sum - area(polygon)) < 1e-13 * area(polygon));
+  }
+}
+
+TEST_CASE("Cells of unlike width, worked by hand: a rectangle, and splines over a part of a face") {
+  // Knot spans 0.4, 0.2, 0.1 m wide: N of the node above is 0.2 / 0.3 = 2/3 at the end of the middle one, that of the
+  // node below 1/3 at its beginning.
+  const FaceMoments whole{1, 0, 1.0 / 12};
+  const auto [below, own, above] = face_integrals(whole, 1.0 / 3, 2.0 / 3);
+  CHECK(below == doctest::Approx(1.0 / 9));  // 1/3 int t^2
+  CHECK(above == doctest::Approx(2.0 / 9));
+  CHECK(own == doctest::Approx(2.0 / 3));
+  const FaceMoments upper_half{0.5, 0.125, 1.0 / 24};
+  const auto [below_2, own_2, above_2] = face_integrals(upper_half, 1.0 / 3, 2.0 / 3);
+  CHECK(below_2 == doctest::Approx(1.0 / 72));  // 1/3 of int t^2 from 0 to 1/2
+  CHECK(above_2 == doctest::Approx(7.0 / 36));  // 2/3 of int t^2 from 1/2 to 1
+  CHECK(own_2 == doctest::Approx(0.5 - 15.0 / 72));
 }
 
 TEST_CASE("Cells are made anew for each outline") {

@@ -91,7 +91,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 87);
+  CHECK(sea.at.line == 88);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -127,7 +127,11 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[0].slack == 0.01);
   CHECK(scene.membranes[0].segments_per_cell == 3);
   CHECK(scene.membranes[1].averaging_segments == 2);
-  CHECK(scene.membranes[0].interface == Interface::mixture);
+  CHECK(scene.membranes[0].interface == Interface::sharp);
+  CHECK(scene.membranes[0].shear == Shear::wall_law);
+  CHECK(scene.membranes[0].wall_friction == 0.01);
+  CHECK(scene.membranes[0].drag_coefficient == 1.0);
+  CHECK(scene.membranes[1].interface == Interface::mixture);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
   REQUIRE(scene.probes.size() == 7);

@@ -62,12 +62,11 @@ TEST_CASE("The wall law slows a cylinder down by the friction of potential flow 
   };
   const double slips = velocity({}),
                rubs = velocity({"membranes.geotextile.shear=wall_law", "membranes.geotextile.wall_friction=0.5"});
-  // u = 2 v sin(theta): the friction takes 1/2 rho C_f R int u^3 = 32/3 rho C_f R v^3, all from the body's fall (half
-  // of it directly, half by the pressure of the layer that thickens); M dv/dt = W - k v^2.
+  // u = 2 v sin(theta): F = 1/2 rho C_f R int u |u| sin = 16/3 rho C_f R v^2 while the layer is thin; M dv/dt = W - F.
   constexpr double radius = 1.3, friction = 0.5;
   const double weight = 631 * 9.81 * std::numbers::pi * radius * radius;
-  const double k = 32.0 / 3 * 1000 * friction * radius, limit = std::sqrt(weight / k);
+  const double k = 16.0 / 3 * 1000 * friction * radius, limit = std::sqrt(weight / k);
   const double loss = 1 - limit * std::tanh(2.313 * 0.5 / limit) / (2.313 * 0.5);
   MESSAGE("slipping ", slips, ", rubbing ", rubs, ", loss ", 1 - rubs / slips, ", of potential flow ", loss);
-  CHECK(1 - rubs / slips == doctest::Approx(loss).epsilon(0.25));
+  CHECK(std::abs((1 - rubs / slips) / loss - 1) < 0.2);  // measured +13 % (h = 0.25 m)
 }
