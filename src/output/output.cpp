@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "frame_writer.hpp"
 #include "geotube_probe.hpp"
+#include "mach_numbers.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
 #include "summary.hpp"
@@ -241,6 +242,7 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop)
       if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
         write_geotube_profile(parts.scene, *probe, *frame, directory());
   for (const Fact& fact : membrane_peaks(parts.scene, parts.history)) statistics.facts.push_back(fact);
+  for (const Fact& fact : mach_numbers(parts.scene, parts.history)) statistics.facts.push_back(fact);
 
   Summary summary;
   summary.state_hash = state_hash(*frame);

@@ -37,6 +37,7 @@ TEST_CASE("The container starts to fall upright: symmetric, whole, with its memb
   // The water at the bottom is squeezed by 13 m of itself, B of the bed at least 0.95.
   CHECK(run.result("bed.skempton_b_ratio") >= 0.95);
   CHECK(run.result("water.density_rise_ratio") < 0.04);
+  CHECK(run.result("water.mach_ratio") == doctest::Approx(speed / 60).epsilon(0.02));
 }
 
 TEST_CASE("With a container as heavy as the water around it the main case is at rest, bed and all") {
