@@ -3,6 +3,7 @@
 
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/shapes.hpp>
+#include <geodrop/velocity_fields.hpp>
 
 #include <algorithm>
 
@@ -69,6 +70,20 @@ void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::stri
     check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
 }
 
+/// A wall law and a drag coefficient need the density of a fluid.
+void check_fluid_around(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.interface != Interface::sharp || !report.healthy("bodies") || !report.healthy("materials")) return;
+  const std::vector<int> fields = velocity_fields(scene);
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    const MaterialSpec* material = find_material(scene, scene.bodies[b].material);
+    if (fields[b] == 0 && material && std::holds_alternative<NewtonianSpec>(material->model)) return;
+  }
+  const std::string allowed = "it where a body of newtonian material is around";
+  if (membrane.shear == Shear::wall_law) report.add(key + ".shear", "\"wall_law\" without a fluid around", allowed);
+  if (membrane.drag_coefficient > 0)
+    report.add(key + ".drag_coefficient", to_text(membrane.drag_coefficient) + " without a fluid around", allowed);
+}
+
 /// Both sides of a sharp interface have pressures of cells, and cells are knot spans.
 void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
@@ -113,6 +128,7 @@ void check_membranes(const Scene& scene, Report& report) {
     check_on_outline(scene, membrane, key, report);
     check_averaging(scene, membrane, key, report);
     check_bed(scene, membrane, key, report);
+    check_fluid_around(scene, membrane, key, report);
     if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }
 }

@@ -32,6 +32,22 @@ TEST_CASE("A bed is a body that is there, and friction is on a bed") {
   check_refused({"membranes.geotextile.interface=mixture"}, "membranes.geotextile.bed");
 }
 
+TEST_CASE("What hinders water is said, once, and where there is water") {
+  const std::string membrane = "membranes.geotextile.";
+  check_refused({membrane + "shear=sticky"}, membrane + "shear: found \"sticky\"");
+  check_refused({membrane + "wall_friction=0.004"}, membrane + "wall_friction");
+  check_refused({membrane + "shear=wall_law"}, membrane + "wall_friction");
+  const std::vector<std::string> dry = {"bodies.water.material=subsoil", "bodies.water.shift=false",
+                                        "bodies.water.initial_stress={type='zero'}"};
+  const auto refused_dry = [&](std::vector<std::string> overrides, const std::string& says) {
+    overrides.insert(overrides.end(), dry.begin(), dry.end());
+    check_refused(overrides, says);
+  };
+  refused_dry({membrane + "shear=wall_law", membrane + "wall_friction=0.004"},
+              membrane + "shear: found \"wall_law\" without a fluid around");
+  refused_dry({membrane + "drag_coefficient=1.2"}, membrane + "drag_coefficient: found 1.2 without a fluid around");
+}
+
 TEST_CASE("Windows of results refer to events further up") {
   check_refused({"results.tension_fall_p95_N_m.before=time_to_sink_s"},
                 "results.tension_fall_p95_N_m.before: found \"time_to_sink_s\"");
