@@ -212,6 +212,16 @@ ViscousBoundarySpec bind_viscous_boundary(const Fields& f, SourceRef at) {
   return {f.text("name"), f.text("body"), f.point("from"), f.point("to"), f.real("spring_depth"), at};
 }
 
+SilentSideSpec bind_silent_side(const Fields& f, SourceRef at) {
+  return {f.text("name"),
+          f.text("body"),
+          f.choice<SilentSideSpec::Side>("side"),
+          f.real("width"),
+          f.real("water_beyond"),
+          f.real("rest_time"),
+          at};
+}
+
 PumpSpec bind_pump(const Fields& f, SourceRef at) {
   return {f.text("body"), f.real("rate"), f.real("from"), f.real("to"), at};
 }
@@ -334,6 +344,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.contacts = bind_list(complete, report, "contacts", bind_contact);
   scene.still_fluids = bind_list(complete, report, "still_fluids", bind_still_fluid);
   scene.viscous_boundaries = bind_list(complete, report, "viscous_boundaries", bind_viscous_boundary);
+  scene.silent_sides = bind_list(complete, report, "silent_sides", bind_silent_side);
   scene.pumps = bind_list(complete, report, "pumps", bind_pump);
   scene.stages = bind_list(complete, report, "stages", bind_stage);
   scene.exact = bind_list(complete, report, "exact", bind_exact);

@@ -34,6 +34,8 @@ constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart)
                       [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
 constexpr Range depth_range{"> 0; inf: no spring", [](double x) { return x > 0; }, true};
+constexpr Range rest_range{"> 0; inf: never", [](double x) { return x > 0; }, true};
+constexpr Range beyond_range{"> 0; inf: it stands still", [](double x) { return x > 0; }, true};
 constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 constexpr Range free_text{"any text", [](double) { return true; }};
 constexpr Range growth_range{"> 1 and <= 1.5", [](double x) { return x > 1 && x <= 1.5; }};
@@ -95,6 +97,11 @@ constexpr Section sections[] = {
      "across it, and along the normal a spring that keeps the edge in place. They take up the stress of the start, so "
      "that ground at rest stays at rest. The edge is free otherwise: there are at least 4 cells of empty grid beyond "
      "it. Waves that meet it at right angles leave, oblique ones in part."},
+    {"silent_sides", "[[silent_sides]]", "name",
+     "Sides of the domain through which waves in water at rest leave: in a layer beside the wall pressure fades to that "
+     "of the still fluid, and the velocity across to that of the water beyond, both at the same rate, so that waves "
+     "meet no change of impedance. Water that comes or goes is mass of the particles there. Levels and slow flows: "
+     "`water_beyond`."},
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
@@ -127,6 +134,7 @@ constexpr Key keys[] = {
     {"", "still_fluids", table_list, "", "", standard("[]"), maybe_none, "still water around membranes", 2},
     {"", "stages", table_list, "", "", standard("[]"), maybe_none, "the parts of a run in time"},
     {"", "viscous_boundaries", table_list, "", "", standard("[]"), maybe_none, "edges of the ground that let waves out", 2},
+    {"", "silent_sides", table_list, "", "", standard("[]"), maybe_none, "sides through which waves in water leave", 2},
     {"", "pumps", table_list, "", "", standard("[]"), maybe_none, "fluid that is pumped in"},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
@@ -297,6 +305,13 @@ constexpr Key keys[] = {
     {"viscous_boundaries", "from", point, "m", "", required, any, "one end of the edge, on the body's outline"},
     {"viscous_boundaries", "to", point, "m", "", required, any, "its other end; the outline runs straight between them"},
     {"viscous_boundaries", "spring_depth", real, "m", "", required, depth_range, "thickness of the layer of the same ground, on rock, that the spring stands for: its stiffness is rho c_p^2 / spring_depth"},
+
+    {"silent_sides", "name", name, "", "", required, identifier, "what messages call it"},
+    {"silent_sides", "body", name, "", "", required, reference, "the newtonian body, at rest at the start with initial_stress \"hydrostatic\", which is the pressure that stays"},
+    {"silent_sides", "side", choice, "", "", required, words("left|right"), "which wall of the domain the layer lies at"},
+    {"silent_sides", "width", real, "m", "", required, positive, "of the layer; at least 4 cells"},
+    {"silent_sides", "water_beyond", real, "m", "", required, beyond_range, "L: the water beyond flows by dv/dt = (p - p_still)/(rho L), as a column of that length would; about the distance from what moves to the wall, or 2/pi of the depth where that is less. Waves longer than 4 pi L come back. inf: none flows, for waves alone"},
+    {"silent_sides", "rest_time", real, "s", "", required, rest_range, "T: what the pressure of a row keeps over p_still for longer than that is no wave and stays, and the water beyond comes to rest with this time constant; longer than what shall pass, as a fall. inf: p_still for ever; the error of a grid at rest then drives a slow circulation"},
 
     {"pumps", "body", name, "", "", required, reference, "which body grows"},
     {"pumps", "rate", real, "m3/s", "", required, positive, "volume at zero pressure per time (2D: per metre of depth, m2/s)"},

@@ -25,6 +25,7 @@ Scene without_places(Scene scene) {
   clear(scene.contacts);
   clear(scene.still_fluids);
   clear(scene.viscous_boundaries);
+  clear(scene.silent_sides);
   clear(scene.stages);
   clear(scene.pumps);
   clear(scene.exact);
@@ -98,6 +99,14 @@ TEST_CASE("grains, water and gas become a density and a pore fluid, by hand") {
       every_key, {"materials.fill.grain_density=", "materials.fill.density=1670.0",
                   "materials.fill.porosity=", "materials.fill.saturation=", "materials.fill.fluid_density="});
   CHECK(model_of<MohrCoulombSpec>(again, "fill") == model_of<MohrCoulombSpec>(scene, "fill"));
+}
+
+TEST_CASE("silent sides as written") {
+  const Scene scene = read_scene(every_key);
+  REQUIRE(scene.silent_sides.size() == 1);
+  SilentSideSpec side = scene.silent_sides[0];
+  side.at = {};
+  CHECK(side == SilentSideSpec{"open_sea", "sea", SilentSideSpec::Side::left, 2, 20, 10, {}});
 }
 
 TEST_CASE("bodies as written") {
