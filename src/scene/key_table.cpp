@@ -98,7 +98,8 @@ constexpr Section sections[] = {
      "that ground at rest stays at rest. The edge is free otherwise: there are at least 4 cells of empty grid beyond "
      "it. Waves that meet it at right angles leave, oblique ones in part."},
     {"silent_sides", "[[silent_sides]]", "name",
-     "Sides of the domain through which waves in water at rest leave: in a layer beside the wall pressure fades to that "
+     "Sides of the domain through which waves in water at rest leave: in a layer beside the wall pressure fades to "
+     "that "
      "of the still fluid, and the velocity across to that of the water beyond, both at the same rate, so that waves "
      "meet no change of impedance. Water that comes or goes is mass of the particles there. Levels and slow flows: "
      "`water_beyond`."},
