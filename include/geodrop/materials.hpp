@@ -72,6 +72,29 @@ double shear_wave_speed(const Material& material);
 /// Kinematic viscosity that limits the explicit time step [m2/s]; 0 for solids.
 double kinematic_viscosity(const Material& material);
 
+/// Water and gas in the pores of a soil.
+struct PoreFluid {
+  double saturation;          ///< S, share of the pores that water fills [-]
+  double water_bulk_modulus;  ///< K_w [Pa]
+  double gas_pressure;        ///< p, absolute [Pa]
+};
+
+/// 1/K_f = S/K_w + (1 - S)/p [Pa] (Verruijt 1969, Elastic storage of aquifers): water and gas under one pressure, each
+/// by its own compliance; that of an ideal gas at constant temperature is 1/p (Boyle). Of small changes about p: what
+/// dissolves, the tension of menisci and the stiffening of the gas under load are left out.
+double pore_fluid_bulk_modulus(const PoreFluid& fluid);
+
+/// Grains and the water between them.
+struct GrainsAndWater {
+  double grain_density;  ///< rho_s [kg/m3]
+  double porosity;       ///< n [-]
+  double saturation;     ///< S [-]
+  double fluid_density;  ///< rho_f [kg/m3]
+};
+
+/// (1 - n) rho_s + n S rho_f [kg/m3]; gas weighs nothing.
+double mixture_density(const GrainsAndWater& soil);
+
 /// Skempton's B of an undrained soil, (K_f/n) / (K_f/n + K'); 0 if drained.
 double skempton_b(const MohrCoulomb& soil);
 

@@ -37,6 +37,7 @@ struct Scene {
   std::vector<ContactSpec> contacts;
   std::vector<StillFluidSpec> still_fluids;
   std::vector<ViscousBoundarySpec> viscous_boundaries;
+  std::vector<SilentSideSpec> silent_sides;
   std::vector<PumpSpec> pumps;
   std::vector<ExactSpec> exact;
   std::vector<ProbeSpec> probes;

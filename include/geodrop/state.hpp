@@ -163,6 +163,21 @@ struct ViscousBoundary {
   std::size_t points() const { return x[0].size(); }
 };
 
+/// A layer of a fluid beside a side wall in which waves fade (2D).
+struct SilentSide {
+  std::string name, body;
+  double outward = 1;       ///< 1: towards the right wall, -1: the left one
+  double begin = 0;         ///< where the layer begins [m]
+  double width = 0;         ///< [m]
+  double rate = 0;          ///< of fading, at the wall [1/s]
+  double surface = 0;       ///< of the still fluid [m]
+  double gravity = 0;       ///< downwards [m/s2]
+  double water_beyond = 0;  ///< length of the water beyond that flows with that inside [m]
+  double rest_time = 0;     ///< what lasts longer is no wave [s]
+  Array<double> lasting;  ///< pressure over that of the still fluid that stays, by stored node of the upright axis [Pa]
+  Array<double> flow;     ///< velocity of the water beyond outwards, likewise [m/s]
+};
+
 /// How far a state has come to rest, see pipeline/relaxation. Energies in J.
 struct Relaxation {
   double kinetic = 0, kinetic_largest = 0;             ///< after the last step; largest of the present cycle
@@ -196,6 +211,7 @@ struct State {
   std::vector<RigidContact<Dim>> rigid_contacts;
   std::vector<MembraneContact> membrane_contacts;
   std::vector<ViscousBoundary<Dim>> viscous_boundaries;
+  std::vector<SilentSide> silent_sides;
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
 

@@ -7,13 +7,12 @@
 #include <sstream>
 
 #include "../grid/nearby_cells.hpp"
+#include "cell_slopes.hpp"
 #include "outline_pieces.hpp"
 #include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
-
-using Slope = std::array<std::array<double, 2>, 9>;
 
 /// A part stands by itself if it is this share of its cell, and particles fill this share.
 constexpr double least_part = 0.5, least_filled = 0.3;
@@ -32,67 +31,10 @@ void check_walls(const GridLayout<2>& layout, const Membrane<2>& membrane, const
   }
 }
 
-/// The knot spans of a cell along x and y.
-using CellSpans = std::array<SpanShape, 2>;
-
-CellSpans spans_of(const GridLayout<2>& layout, int flat) {
-  return {span_of(layout, 0, flat), span_of(layout, 1, flat)};
-}
-
 /// Integral of a node's spline over the plane [m2].
 double spline_area(const GridLayout<2>& layout, int node) {
   const int i = node % layout.stride[1] - layout.pad, j = node / layout.stride[1] - layout.pad;
   return layout.spline_width(0, i) * layout.spline_width(1, j) * layout.h * layout.h;
-}
-
-Slope whole_cell(const CellSpans& cell) {
-  const auto [x_span, y_span] = cell;
-  const std::array<double, 3> value_x = x_span.values(), slope_x = x_span.slopes();
-  const std::array<double, 3> value_y = y_span.values(), slope_y = y_span.slopes();
-  Slope whole;
-  for (int y = 0; y < 3; ++y)
-    for (int x = 0; x < 3; ++x)
-      whole[x + 3 * y] = {y_span.width * slope_x[x] * value_y[y], x_span.width * value_x[x] * slope_y[y]};
-  return whole;
-}
-
-/// Adds int N n over the part of a face inside; the face is on the side `side` (0 below, 1 above) of the cell.
-void add_face(const FaceMoments& moments, int axis, int side, const CellSpans& cell, Slope& slope) {
-  const SpanShape &across = cell[axis], &face = cell[1 - axis];
-  const std::array<double, 3> along = face_integrals(moments, face.below, face.above);
-  const double sign = side == 1 ? 1 : -1, beyond = side == 1 ? across.above : across.below;
-  for (int n = 0; n < 3; ++n)
-    for (const int k : {side, side + 1}) {
-      const int node = axis == 0 ? k + 3 * n : n + 3 * k;
-      slope[node][axis] += sign * (k == 1 ? 1 - beyond : beyond) * face.width * along[n];
-    }
-}
-
-/// a_ic of a cut cell without what the membrane adds.
-Slope faces_of(const CutCells& cells, int c, const CellSpans& cell) {
-  Slope slope{};
-  add_face(cells.right_face[c], 0, 1, cell, slope);
-  add_face(cells.right_face[c - 1], 0, 0, cell, slope);
-  add_face(cells.top_face[c], 1, 1, cell, slope);
-  add_face(cells.top_face[c - cells.count[0]], 1, 0, cell, slope);
-  return slope;
-}
-
-/// int N over a cell [m2].
-std::array<double, 9> whole_value(const CellSpans& cell) {
-  const std::array<double, 3> x = cell[0].values(), y = cell[1].values();
-  std::array<double, 9> value;
-  for (int n = 0; n < 9; ++n) value[n] = cell[0].width * x[n % 3] * cell[1].width * y[n / 3];
-  return value;
-}
-
-/// int N over the part of a cell inside without what the membrane adds, by Green's theorem [m2].
-std::array<double, 9> beside_right_face(const CutCells& cells, int c, const CellSpans& cell) {
-  const std::array<double, 3> x = cell[0].values();
-  const std::array<double, 3> along = face_integrals(cells.right_face[c], cell[1].below, cell[1].above);
-  std::array<double, 9> value;
-  for (int n = 0; n < 9; ++n) value[n] = cell[0].width * x[n % 3] * cell[1].width * along[n / 3];
-  return value;
 }
 
 /// What an outline makes of a cell that it cuts: a_ic, int N over the part inside [m2], the sum of outward normals [m].

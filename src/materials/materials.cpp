@@ -94,6 +94,14 @@ double kinematic_viscosity(const Material& material) {
   return fluid ? fluid->viscosity / fluid->density : 0.0;
 }
 
+double pore_fluid_bulk_modulus(const PoreFluid& fluid) {
+  return 1 / (fluid.saturation / fluid.water_bulk_modulus + (1 - fluid.saturation) / fluid.gas_pressure);
+}
+
+double mixture_density(const GrainsAndWater& soil) {
+  return (1 - soil.porosity) * soil.grain_density + soil.porosity * soil.saturation * soil.fluid_density;
+}
+
 double skempton_b(const MohrCoulomb& soil) { return soil.pore_stiffness / (soil.pore_stiffness + soil.bulk_modulus); }
 
 double still_pressure(const Newtonian& fluid, double gravity, double depth) {

@@ -81,14 +81,17 @@ auto members(Part& part) {
         part;
     return std::tie(name, field, normal, length, half_size, inwards, impedance_p, impedance_s, spring, x, v, moved,
                     at_start);
+  } else if constexpr (std::is_same_v<Plain, SilentSide>) {
+    auto& [name, body, outward, begin, width, rate, surface, gravity, water_beyond, rest_time, lasting, flow] = part;
+    return std::tie(name, body, outward, begin, width, rate, surface, gravity, water_beyond, rest_time, lasting, flow);
   } else if constexpr (is_tracer<Plain>) {
     auto& [name, x, v, initial_x, field, body] = part;
     return std::tie(name, x, v, initial_x, field, body);
   } else {
     auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-           membrane_contacts, viscous_boundaries, tracers, relaxation] = part;
+           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation] = part;
     return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-                    membrane_contacts, viscous_boundaries, tracers, relaxation);
+                    membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation);
   }
 }
 

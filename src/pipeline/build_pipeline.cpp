@@ -4,6 +4,7 @@
 #include <geodrop/pipeline.hpp>
 #include <type_traits>
 
+#include "../boundary/silent_side.hpp"
 #include "../boundary/viscous_boundary.hpp"
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
@@ -68,6 +69,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   const bool sharp = has_sharp_interface(scene);
   const std::vector<RigidSpec> rigid = scene.rigid;
   const std::vector<StillFluid> fluids = still_fluids(scene);
+  const bool silent = !scene.silent_sides.empty();
   const bool viscous = !scene.viscous_boundaries.empty();
   const std::vector<PumpSpec> pumps = scene.pumps;
   const RelaxationSpec relaxation = scene.relaxation;
@@ -121,6 +123,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(nodal_pressure, "nodal_rate",       "nodal velocity -> mean volume rate of nodes",               [](S& s, G& g, const C&) { if (!g.node_volume.empty()) average_nodal_rate(s, g); });
   add(enclosed,      "enclosed_rate",     "nodal velocity -> volume rate of enclosed cells",           [](S& s, G& g, const C& c) { update_enclosed_rates(s, g, c.dt); });
   add(true,          "grid_to_particles", "nodal velocity, volume rate -> position, velocity, stress", [solver](S& s, Fields& f, const C& c) { grid_to_particles(solver, s, f, c.dt); });
+  add(silent,        "silent_sides",      "particles at silent sides -> flow beyond; their velocity, mass, volume ratio", [](S& s, Fields& f, const C& c) { fade_at_silent_sides(f.front().layout, c.dt, s); });
   add(membranes,     "grid_to_membranes", "nodal velocity -> membrane nodes",                          [solver](S& s, G& g, const C& c) { grid_to_membranes(solver, s, g, c.dt); });
   add(sharp,         "keep_sides",        "membrane nodes -> positions of particles on the wrong side", [](S& s, Fields& f, const C&) { keep_sides(s, f); });
   add(viscous,       "grid_to_boundaries", "nodal velocity -> points of viscous boundaries",           [](S& s, G& g, const C& c) { grid_to_boundaries(s, g, c.dt); });

@@ -51,6 +51,7 @@ void stop_all(State<Dim>& state) {
   }
   for (Membrane<Dim>& membrane : state.membranes) stop(membrane.v);
   for (ViscousBoundary<Dim>& boundary : state.viscous_boundaries) stop(boundary.v);
+  for (SilentSide& side : state.silent_sides) std::fill(side.flow.begin(), side.flow.end(), 0.0);
   state.relaxation.kinetic = 0;
 }
 

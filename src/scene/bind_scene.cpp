@@ -2,6 +2,8 @@
 #include "check_value.hpp"
 #include "key_table.hpp"
 
+#include <geodrop/materials.hpp>
+
 #include <algorithm>
 
 namespace geodrop {
@@ -101,9 +103,18 @@ NewtonianSpec bind_newtonian(const Fields& f) {
           f.real("mixing_length")};
 }
 
+UndrainedSpec bind_pores(const Fields& f) {
+  const double porosity = f.real("porosity"), saturation = f.real("saturation");
+  if (!f.has("saturation")) return {porosity, f.real("fluid_bulk_modulus")};
+  const PoreFluid fluid{saturation, f.real("water_bulk_modulus"), f.real("gas_pressure")};
+  return {porosity, pore_fluid_bulk_modulus(fluid), saturation};
+}
+
 MohrCoulombSpec bind_mohr_coulomb(const Fields& f) {
   MohrCoulombSpec soil;
-  soil.density = f.real("density");
+  const GrainsAndWater content{f.real("grain_density"), f.real("porosity"), f.real("saturation"),
+                               f.real("fluid_density")};
+  soil.density = f.has("grain_density") ? mixture_density(content) : f.real("density");
   soil.youngs_modulus = f.real("youngs_modulus");
   soil.poissons_ratio = f.real("poissons_ratio");
   soil.cohesion = f.real("cohesion");
@@ -111,8 +122,7 @@ MohrCoulombSpec bind_mohr_coulomb(const Fields& f) {
   soil.dilatancy_angle_deg = f.real("dilatancy_angle_deg");
   soil.tension_cutoff = f.real("tension_cutoff");
   soil.void_memory = f.boolean("void_memory");
-  if (f.text("drainage") == "undrained")
-    soil.undrained = UndrainedSpec{f.real("porosity"), f.real("fluid_bulk_modulus")};
+  if (f.text("drainage") == "undrained") soil.undrained = bind_pores(f);
   return soil;
 }
 
@@ -200,6 +210,16 @@ StillFluidSpec bind_still_fluid(const Fields& f, SourceRef at) {
 
 ViscousBoundarySpec bind_viscous_boundary(const Fields& f, SourceRef at) {
   return {f.text("name"), f.text("body"), f.point("from"), f.point("to"), f.real("spring_depth"), at};
+}
+
+SilentSideSpec bind_silent_side(const Fields& f, SourceRef at) {
+  return {f.text("name"),
+          f.text("body"),
+          f.choice<SilentSideSpec::Side>("side"),
+          f.real("width"),
+          f.real("water_beyond"),
+          f.real("rest_time"),
+          at};
 }
 
 PumpSpec bind_pump(const Fields& f, SourceRef at) {
@@ -324,6 +344,7 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.contacts = bind_list(complete, report, "contacts", bind_contact);
   scene.still_fluids = bind_list(complete, report, "still_fluids", bind_still_fluid);
   scene.viscous_boundaries = bind_list(complete, report, "viscous_boundaries", bind_viscous_boundary);
+  scene.silent_sides = bind_list(complete, report, "silent_sides", bind_silent_side);
   scene.pumps = bind_list(complete, report, "pumps", bind_pump);
   scene.stages = bind_list(complete, report, "stages", bind_stage);
   scene.exact = bind_list(complete, report, "exact", bind_exact);

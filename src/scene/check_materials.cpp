@@ -7,7 +7,7 @@
 namespace geodrop {
 namespace {
 
-/// Skempton's B = s / (s + 1) of 0.95; a softer pore fluid would not be undrained any more.
+/// Skempton's B = s / (s + 1) of 0.95; a softer pore fluid would not be undrained any more, unless it has gas in it.
 constexpr double kLeastPoreStiffness = 20;  // of the skeleton's bulk modulus
 constexpr double kRounding = 1e-9;
 
@@ -60,7 +60,7 @@ void check_units(const MaterialSpec& material, const std::string& key, Report& r
 }
 
 void check_pore_fluid(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
-  if (!soil.undrained) return;
+  if (!soil.undrained || soil.undrained->saturation) return;
   for (const char* name : {".porosity", ".fluid_bulk_modulus", ".youngs_modulus", ".poissons_ratio"}) {
     if (!report.healthy(key + name)) return;
   }

@@ -17,6 +17,7 @@ void check_scene(const Scene& scene, Report& report) {
   check_still_fluids(scene, report);
   check_relaxation(scene, report);
   check_viscous_boundaries(scene, report);
+  check_silent_sides(scene, report);
   check_pumps(scene, report);
   check_stages(scene, report);
   check_measurements(scene, report);

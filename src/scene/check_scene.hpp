@@ -30,6 +30,7 @@ void check_contacts(const Scene& scene, Report& report);
 void check_still_fluids(const Scene& scene, Report& report);
 void check_relaxation(const Scene& scene, Report& report);
 void check_viscous_boundaries(const Scene& scene, Report& report);
+void check_silent_sides(const Scene& scene, Report& report);
 void check_pumps(const Scene& scene, Report& report);
 void check_stages(const Scene& scene, Report& report);
 void check_measurements(const Scene& scene, Report& report);

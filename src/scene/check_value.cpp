@@ -183,8 +183,10 @@ std::string describe_allowed(const Key& key, int dimension) {
 
 std::string readable_condition(const Key& key) {
   std::string text;
-  if (const std::size_t equals = key.when.find('='); equals != std::string_view::npos)
-    text = std::string(key.when.substr(0, equals)) + " = " + quoted_words(key.when.substr(equals + 1));
+  for (const std::string& part : split(key.when, '&')) {
+    const std::vector<std::string> sides = split(part, '=');
+    text += (text.empty() ? "" : " and ") + sides[0] + (sides.size() > 1 ? " = " + quoted_words(sides[1]) : "");
+  }
   if (key.dimension != 0) text += (text.empty() ? "" : " and ") + ("dimension = " + std::to_string(key.dimension));
   return text;
 }

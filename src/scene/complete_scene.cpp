@@ -33,12 +33,22 @@ class TableWalker {
   /// `unknown` if the key that decides is itself wrong: then nothing is said about what depends on it.
   Condition holds(const Key& key) const {
     if (!applies_in(key, dimension_)) return Condition::no;
-    const std::string_view when = key.when;
-    if (when.empty()) return Condition::yes;
-    const std::string decider(when.substr(0, when.find('=')));
-    if (undecided_.contains(decider)) return Condition::unknown;
-    const auto value = out_[decider].value<std::string>();
-    const std::vector<std::string> words = split(when.substr(decider.size() + 1), '|');
+    if (key.when.empty()) return Condition::yes;
+    Condition all = Condition::yes;
+    for (const std::string& part : split(key.when, '&')) {
+      const Condition one = holds_part(part);
+      if (one == Condition::no) return one;
+      if (one == Condition::unknown) all = one;
+    }
+    return all;
+  }
+
+  Condition holds_part(const std::string& part) const {
+    const std::vector<std::string> sides = split(part, '=');
+    if (undecided_.contains(sides[0])) return Condition::unknown;
+    if (sides.size() == 1) return out_.contains(sides[0]) ? Condition::yes : Condition::no;
+    const auto value = out_[sides[0]].value<std::string>();
+    const std::vector<std::string> words = split(sides[1], '|');
     return value && std::find(words.begin(), words.end(), *value) != words.end() ? Condition::yes : Condition::no;
   }
 

@@ -34,6 +34,8 @@ constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart)
                       [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
 constexpr Range depth_range{"> 0; inf: no spring", [](double x) { return x > 0; }, true};
+constexpr Range rest_range{"> 0; inf: never", [](double x) { return x > 0; }, true};
+constexpr Range beyond_range{"> 0; inf: it stands still", [](double x) { return x > 0; }, true};
 constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 constexpr Range free_text{"any text", [](double) { return true; }};
 constexpr Range growth_range{"> 1 and <= 1.5", [](double x) { return x > 1 && x <= 1.5; }};
@@ -95,6 +97,12 @@ constexpr Section sections[] = {
      "across it, and along the normal a spring that keeps the edge in place. They take up the stress of the start, so "
      "that ground at rest stays at rest. The edge is free otherwise: there are at least 4 cells of empty grid beyond "
      "it. Waves that meet it at right angles leave, oblique ones in part."},
+    {"silent_sides", "[[silent_sides]]", "name",
+     "Sides of the domain through which waves in water at rest leave: in a layer beside the wall pressure fades to "
+     "that "
+     "of the still fluid, and the velocity across to that of the water beyond, both at the same rate, so that waves "
+     "meet no change of impedance. Water that comes or goes is mass of the particles there. Levels and slow flows: "
+     "`water_beyond`."},
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
@@ -127,6 +135,7 @@ constexpr Key keys[] = {
     {"", "still_fluids", table_list, "", "", standard("[]"), maybe_none, "still water around membranes", 2},
     {"", "stages", table_list, "", "", standard("[]"), maybe_none, "the parts of a run in time"},
     {"", "viscous_boundaries", table_list, "", "", standard("[]"), maybe_none, "edges of the ground that let waves out", 2},
+    {"", "silent_sides", table_list, "", "", standard("[]"), maybe_none, "sides through which waves in water leave", 2},
     {"", "pumps", table_list, "", "", standard("[]"), maybe_none, "fluid that is pumped in"},
     {"", "exact", table_list, "", "", standard("[]"), maybe_none, "exact solutions that bodies follow"},
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
@@ -170,7 +179,9 @@ constexpr Key keys[] = {
     {"output", "compress", boolean, "", "", standard("false"), yes_no, "compress the VTU files"},
 
     {"materials", "model", choice, "", "", required, words("newtonian|linear_elastic|mohr_coulomb|neo_hookean"), "constitutive law"},
-    {"materials", "density", real, "kg/m3", "", required, positive, "of a fluid: at zero pressure; of a soil: of the mixture at the start; neo_hookean: unstrained"},
+    {"materials", "density", real, "kg/m3", "model=newtonian|linear_elastic|neo_hookean", required, positive, "of a fluid: at zero pressure; neo_hookean: unstrained"},
+    {"materials", "density", real, "kg/m3", "model=mohr_coulomb", instead_of("grain_density"), positive, "of the mixture of grains and what fills the pores, at the start"},
+    {"materials", "grain_density", real, "kg/m3", "model=mohr_coulomb", instead_of("density"), positive, "rho_s of the grains: the mixture has (1 - n) rho_s + n S rho_f"},
     {"materials", "bulk_modulus", real, "Pa", "model=newtonian", instead_of("sound_speed"), positive, "K in p = K (rho / rho0 - 1)"},
     {"materials", "sound_speed", real, "m/s", "model=newtonian", instead_of("bulk_modulus"), positive, "c, gives K = rho0 c^2; may be reduced where its error is known"},
     {"materials", "viscosity", real, "Pa s", "model=newtonian", required, not_negative, "dynamic viscosity"},
@@ -184,7 +195,13 @@ constexpr Key keys[] = {
     {"materials", "void_memory", boolean, "", "model=mohr_coulomb", standard("false"), yes_no, "the volume by which the soil opens at the apex or the tension cut-off is kept, and closes again without stress; to be used where soil is torn apart and falls together again (a bag that lands), or it grows; with dilatancy_angle_deg = 0 only"},
     {"materials", "drainage", choice, "", "model=mohr_coulomb", required, words("drained|undrained"), "undrained: pore water moves with the skeleton"},
     {"materials", "porosity", real, "", "drainage=undrained", required, fraction, "n"},
-    {"materials", "fluid_bulk_modulus", real, "Pa", "drainage=undrained", required, positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton"},
+    {"materials", "porosity", real, "", "grain_density&drainage=drained", required, fraction, "n, for the density of the mixture"},
+    {"materials", "saturation", real, "", "grain_density", required, share, "S, share of the pores that water fills (0: dry); the rest is gas"},
+    {"materials", "saturation", real, "", "density&drainage=undrained", instead_of("fluid_bulk_modulus"), share, "S, share of the pores that water fills; the rest is gas. The density is as given"},
+    {"materials", "fluid_density", real, "kg/m3", "grain_density", required, positive, "rho_f of the water in the pores"},
+    {"materials", "fluid_bulk_modulus", real, "Pa", "density&drainage=undrained", instead_of("saturation"), positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton"},
+    {"materials", "water_bulk_modulus", real, "Pa", "saturation&drainage=undrained", required, positive, "K_w of the water in the pores: 1 / K_f = S / K_w + (1 - S) / gas_pressure (Verruijt 1969)"},
+    {"materials", "gas_pressure", real, "Pa", "saturation&drainage=undrained", required, positive, "absolute pressure at which the gas has its share of the pores; K_f is that of small changes around it (isothermal, nothing dissolves) and stays"},
 
     {"bodies", "name", name, "", "", required, identifier, "heads the body's columns in history.csv"},
     {"bodies", "material", name, "", "", required, reference, "a name in materials"},
@@ -290,6 +307,13 @@ constexpr Key keys[] = {
     {"viscous_boundaries", "to", point, "m", "", required, any, "its other end; the outline runs straight between them"},
     {"viscous_boundaries", "spring_depth", real, "m", "", required, depth_range, "thickness of the layer of the same ground, on rock, that the spring stands for: its stiffness is rho c_p^2 / spring_depth"},
 
+    {"silent_sides", "name", name, "", "", required, identifier, "what messages call it"},
+    {"silent_sides", "body", name, "", "", required, reference, "the newtonian body, at rest at the start with initial_stress \"hydrostatic\", which is the pressure that stays"},
+    {"silent_sides", "side", choice, "", "", required, words("left|right"), "which wall of the domain the layer lies at"},
+    {"silent_sides", "width", real, "m", "", required, positive, "of the layer; at least 4 cells"},
+    {"silent_sides", "water_beyond", real, "m", "", required, beyond_range, "L: the water beyond flows by dv/dt = (p - p_still)/(rho L), as a column of that length would; about the distance from what moves to the wall, or 2/pi of the depth where that is less. Waves longer than 4 pi L come back. inf: none flows, for waves alone"},
+    {"silent_sides", "rest_time", real, "s", "", required, rest_range, "T: what the pressure of a row keeps over p_still for longer than that is no wave and stays, and the water beyond comes to rest with this time constant; longer than what shall pass, as a fall. inf: p_still for ever; the error of a grid at rest then drives a slow circulation"},
+
     {"pumps", "body", name, "", "", required, reference, "which body grows"},
     {"pumps", "rate", real, "m3/s", "", required, positive, "volume at zero pressure per time (2D: per metre of depth, m2/s)"},
     {"pumps", "from", real, "s", "", required, not_negative, "when it starts"},
@@ -319,7 +343,7 @@ constexpr Key keys[] = {
     {"probes", "water_level", real, "m", "outside=water", required, positive, "its level over the ground"},
     {"probes", "fluid", name, "", "type=hydrostatic", required, reference, "the newtonian material of the still fluid"},
     {"probes", "surface", real, "m", "type=hydrostatic", required, any, "level of the fluid's free surface"},
-    {"probes", "tips_of", text, "", "type=hydrostatic", standard("\"\""), any, "a membrane: what is within 2 h of its lowest or highest node counts apart in the 99.9th percentile"},
+    {"probes", "tips_of", text, "", "type=hydrostatic", standard("\"\""), any, "a membrane: what is within 2 h (of the finest cell) of its lowest or highest node counts apart in the 99.9th percentile"},
 
     {"results", "name", name, "", "", required, identifier, "ends in its unit, e.g. fall_velocity_max_m_s"},
     {"results", "column", text, "", "", required, filled, "a column of history.csv, e.g. container.velocity_y_m_s"},

@@ -43,7 +43,9 @@ struct Key {
   std::string_view name;
   Kind kind;
   std::string_view unit;  ///< "" if it has none
-  std::string_view when;  ///< "" always; "type=box|ellipse": only if the neighbour `type` has one of these values
+  /// "" always; "type=box|ellipse": only if the neighbour `type` has one of these values; "points": only beside a
+  /// neighbour `points`; "type=box&points": both
+  std::string_view when;
   Need need;
   Range allowed;
   std::string_view meaning;

@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 
+#include "../boundary/silent_side.hpp"
 #include "../boundary/viscous_boundary.hpp"
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
@@ -252,6 +253,7 @@ State<Dim> build_state(const Scene& scene) {
   enclose_fluids(scene, state);
   for (const ViscousBoundarySpec& spec : scene.viscous_boundaries)
     state.viscous_boundaries.push_back(make_viscous_boundary(scene, spec, state));
+  for (const SilentSideSpec& spec : scene.silent_sides) state.silent_sides.push_back(make_silent_side(scene, spec));
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
     if (!tracer) continue;

@@ -92,6 +92,10 @@ TEST_CASE("Ground that swings on a viscous boundary with its spring: stopped and
       "0.11");
 }
 
+TEST_CASE("Water between silent sides, which remember a flow: stopped and resumed, the same") {
+  check_resumed("tests/scenes/round_pulse.toml", {"grid.spacing=0.5", "time.end=0.2"}, "0.11");
+}
+
 TEST_CASE("Bare and skinned blocks between rigid bodies that move: stopped and resumed, the same") {
   check_resumed("tests/scenes/ramp.toml", {}, "0.12");
 }

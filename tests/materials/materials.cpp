@@ -48,6 +48,21 @@ TEST_CASE("Pore water stiffens an undrained soil") {
   CHECK(skempton_b(std::get<MohrCoulomb>(undrained)) == doctest::Approx(200 / (200 + 10 / 1.5)));
 }
 
+TEST_CASE("Water and gas in the pores: compliances add up by their shares") {
+  CHECK(pore_fluid_bulk_modulus({1, 2e9, 1e5}) == doctest::Approx(2e9));
+  CHECK(pore_fluid_bulk_modulus({0, 2e9, 1e5}) == doctest::Approx(1e5));
+  // 0.5 / 3 + 0.5 / 1 = 2/3
+  CHECK(pore_fluid_bulk_modulus({0.5, 3, 1}) == doctest::Approx(1.5));
+  // One per cent of gas at 2 bar makes water softer than rubber: 1 / (0.99 / 2.13e9 + 0.01 / 2e5) = 19.8 MPa
+  CHECK(pore_fluid_bulk_modulus({0.99, 2.13e9, 2e5}) == doctest::Approx(19.8158e6).epsilon(1e-5));
+}
+
+TEST_CASE("Density of a mixture of grains, water and gas") {
+  CHECK(mixture_density({2650, 0.4, 1, 1000}) == doctest::Approx(1990));  // 1590 + 400
+  CHECK(mixture_density({2650, 0.4, 0.9, 1000}) == doctest::Approx(1950));
+  CHECK(mixture_density({2650, 0.4, 0, 1000}) == doctest::Approx(1590));
+}
+
 TEST_CASE("The tension cut-off is kept at or below the apex") {
   const double apex = 1000 * std::sqrt(3.0);  // c cot(30 degrees)
   CHECK(soil({1e6, 0.3, 1000, 30, 0, 1800}).tension_cutoff == doctest::Approx(apex));

@@ -57,10 +57,14 @@ BothScenes all_tables() {
 bool applies(const Key& key, const toml::table& table) {
   if (!table.contains(key.name)) return false;
   if (key.when.empty()) return true;
-  const std::size_t equals = key.when.find('=');
-  const auto value = table[key.when.substr(0, equals)].value<std::string>();
-  const std::vector<std::string> words = split(key.when.substr(equals + 1), '|');
-  return value && std::find(words.begin(), words.end(), *value) != words.end();
+  const std::vector<std::string> parts = split(key.when, '&');
+  return std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
+    const std::vector<std::string> sides = split(part, '=');
+    if (sides.size() == 1) return table.contains(sides[0]);
+    const auto value = table[sides[0]].value<std::string>();
+    const std::vector<std::string> words = split(sides[1], '|');
+    return value && std::find(words.begin(), words.end(), *value) != words.end();
+  });
 }
 
 /// The full key, by index, of a place where the row applies; empty if there is none.

@@ -25,6 +25,7 @@ Scene without_places(Scene scene) {
   clear(scene.contacts);
   clear(scene.still_fluids);
   clear(scene.viscous_boundaries);
+  clear(scene.silent_sides);
   clear(scene.stages);
   clear(scene.pumps);
   clear(scene.exact);
@@ -67,7 +68,7 @@ TEST_CASE("numerics as written") {
 
 TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.materials.size() == 6);
+  REQUIRE(scene.materials.size() == 8);
   CHECK(model_of<NewtonianSpec>(scene, "water") == NewtonianSpec{1000, 3.6e6, 1e-3});
   CHECK(model_of<NewtonianSpec>(scene, "oil").bulk_modulus == 1e9);
   CHECK(model_of<LinearElasticSpec>(scene, "steel") == LinearElasticSpec{7800, 2e11, 0.3});
@@ -75,6 +76,37 @@ TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   CHECK(sand == MohrCoulombSpec{1631, 2.8e6, 0.333, 1e3, 30, 5, 100, std::nullopt});
   CHECK(model_of<MohrCoulombSpec>(scene, "clay").void_memory);
   CHECK(model_of<MohrCoulombSpec>(scene, "clay").undrained == UndrainedSpec{0.4, 80e6});
+}
+
+TEST_CASE("grains, water and gas become a density and a pore fluid, by hand") {
+  const Scene scene = read_scene(every_key);
+  // 0.6 2650 + 0.4 0.2 1000
+  CHECK(model_of<MohrCoulombSpec>(scene, "fill").density == doctest::Approx(1670));
+  CHECK_FALSE(model_of<MohrCoulombSpec>(scene, "fill").undrained);
+  const auto& silt = model_of<MohrCoulombSpec>(scene, "silt");
+  CHECK(silt.density == 1950);
+  REQUIRE(silt.undrained);
+  CHECK(silt.undrained->porosity == 0.4);
+  // 1 / (0.9 / 2.13e9 + 0.1 / 2e5): far below 20 K' n, which only a fluid without gas is held to
+  CHECK(silt.undrained->fluid_bulk_modulus == doctest::Approx(1.998311e6).epsilon(1e-6));
+  const std::vector<std::string> undrained{"materials.fill.drainage=undrained", "materials.fill.saturation=1.0",
+                                           "materials.fill.water_bulk_modulus=2.13e9",
+                                           "materials.fill.gas_pressure=2e5"};
+  const Scene saturated = read_scene(every_key, undrained);
+  CHECK(model_of<MohrCoulombSpec>(saturated, "fill").density == doctest::Approx(1990));
+  CHECK(model_of<MohrCoulombSpec>(saturated, "fill").undrained->fluid_bulk_modulus == doctest::Approx(2.13e9));
+  const Scene again = read_scene(
+      every_key, {"materials.fill.grain_density=", "materials.fill.density=1670.0",
+                  "materials.fill.porosity=", "materials.fill.saturation=", "materials.fill.fluid_density="});
+  CHECK(model_of<MohrCoulombSpec>(again, "fill") == model_of<MohrCoulombSpec>(scene, "fill"));
+}
+
+TEST_CASE("silent sides as written") {
+  const Scene scene = read_scene(every_key);
+  REQUIRE(scene.silent_sides.size() == 1);
+  SilentSideSpec side = scene.silent_sides[0];
+  side.at = {};
+  CHECK(side == SilentSideSpec{"open_sea", "sea", SilentSideSpec::Side::left, 2, 20, 10, {}});
 }
 
 TEST_CASE("bodies as written") {
@@ -91,7 +123,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 88);
+  CHECK(sea.at.line == 117);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});

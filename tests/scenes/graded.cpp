@@ -119,3 +119,11 @@ TEST_CASE("A container dumped in water refined around its path stays upright, wh
   MESSAGE("velocity ", v, ", fine ", v_fine, ", coarse ", v_coarse);
   CHECK(std::abs(v - v_fine) < 0.25 * std::abs(v_coarse - v_fine));
 }
+
+TEST_CASE("A sharp interface in fine cells with coarse ones around: the ellipse starts as exact within 1 %") {
+  const SceneRun run("cases/ellipse_release.toml", {"grid.spacing=0.5", refine(zone("x", -1.5, 1.5, 0.125, 1.1) + "," +
+                                                                               zone("y", 9.7, 18.3, 0.125, 1.1))});
+  REQUIRE(run.outcome().code == 0);
+  CHECK(run.result("initial_acceleration_m_s2") == doctest::Approx(3.444).epsilon(0.01));  // 3.417; uniform 3.418
+  CHECK(run.column("geotextile.strays_m2").back() == 0);
+}

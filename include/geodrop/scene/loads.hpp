@@ -25,6 +25,18 @@ struct ViscousBoundarySpec {
   SourceRef at;
   bool operator==(const ViscousBoundarySpec&) const = default;
 };
+/// A side of the domain through which pressure waves in a still fluid leave, see boundary/silent_side.
+struct SilentSideSpec {
+  enum class Side { left, right };
+  std::string name;
+  std::string body;
+  Side side = Side::left;
+  double width = 0;         ///< of the layer beside the wall in which waves fade [m]
+  double water_beyond = 0;  ///< how much of the water beyond flows with that inside [m]; inf: none
+  double rest_time = 0;     ///< what lasts longer is taken for the state at rest [s]; inf: nothing is
+  SourceRef at;
+  bool operator==(const SilentSideSpec&) const = default;
+};
 /// Fluid that is pumped into a body while from <= t < to: its rest volume grows.
 struct PumpSpec {
   std::string body;

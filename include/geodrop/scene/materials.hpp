@@ -35,11 +35,13 @@ struct NeoHookeanSpec {
 struct UndrainedSpec {
   double porosity = 0;            ///< [-]
   double fluid_bulk_modulus = 0;  ///< [Pa]
+  /// Share of the pores that water fills, where K_f follows from it [-]; empty: K_f is the user's own.
+  std::optional<double> saturation = {};
   bool operator==(const UndrainedSpec&) const = default;
 };
 /// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
 struct MohrCoulombSpec {
-  double density = 0;                      ///< of the mixture [kg/m3]
+  double density = 0;                      ///< of the mixture [kg/m3]; the scene may give that of the grains instead
   double youngs_modulus = 0;               ///< [Pa]
   double poissons_ratio = 0;               ///< [-]
   double cohesion = 0;                     ///< [Pa]
