@@ -363,7 +363,7 @@ constexpr Key keys[] = {
     {"verify", "quick_target", real, "", "", standard("0.0"), not_negative, "likewise with `--quick`, which stops at a coarser grid; 0: the same"},
     {"verify", "least_order", real, "", "", standard("0.0"), not_negative, "least order in the grid spacing that the errors of all variants show with `--full`; 0: none is asked for"},
     {"verify", "source", text, "", "", required, filled, "who says so"},
-    {"verify", "shortfall", text, "", "", standard("\"\""), free_text, "why the target is known to be missed: the row says no, but the command does not fail by it"},
+    {"verify", "shortfall", text, "", "", standard("\"\""), free_text, "why the target is known to be missed: the row says no, but the command does not fail by it. A `quick_target` holds all the same"},
 
     {"variants", "name", text, "", "", required, filled, "e.g. h = 0.1 m"},
     {"variants", "set", texts, "", "", standard("[]"), free_text, "overrides, each as after --set: \"grid.spacing=0.1\""},
