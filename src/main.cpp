@@ -10,6 +10,7 @@
 #include "command_line/only_if.hpp"
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
+#include "command_line/verify.hpp"
 #include "output/shell_command.hpp"
 
 #include <omp.h>
@@ -198,6 +199,11 @@ int main(int argc, char** argv) {
   auto* fall_command = app.add_subcommand("fall", "the closed-form fall of a container in water");
   geodrop::FallArguments fall;
   geodrop::add_fall_options(*fall_command, fall);
+  auto* verify_command = app.add_subcommand("verify", "run the cases that have an exact or published reference");
+  geodrop::VerifyArguments verify;
+  geodrop::add_verify_options(*verify_command, verify);
+  verify_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
+      ->check(thread_count());
   auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
   geodrop::PlotArguments plot;
   geodrop::add_plot_options(*plot_command, plot);
@@ -214,6 +220,11 @@ int main(int argc, char** argv) {
     if (*release_command) return geodrop::run_release(release);
     if (*fall_command) return geodrop::run_fall(fall);
     if (*plot_command) return geodrop::run_plot(plot);
+    if (*verify_command) {
+      const int threads = choose_threads(arguments.threads);
+      omp_set_num_threads(threads);
+      return geodrop::run_verify(verify, threads);
+    }
     return info(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;

@@ -46,8 +46,18 @@ struct BarFirstMode {
   double frequency;    ///< omega = k c [1/s]
 };
 
+/// Kamojjala, Brannon, Sadeghirad & Guilkey (2015): each circle about the origin (3D: about the z axis) turns as a
+/// whole, by alpha(R, t) = G sin(omega t) (1 - ((R - R0) / w)^2)^2 where |R - R0| < w, and not at all elsewhere: shear
+/// up to R dalpha/dR, no change of volume. Driven by `body_force`.
+struct GeneralizedVortex {
+  double angle;               ///< G [rad]
+  double radius, half_width;  ///< R0, w [m]
+  double frequency;           ///< omega [rad/s]
+  double rigidity;            ///< mu / rho [m2/s2]
+};
+
 template <int Dim>
-using ExactSolution = std::variant<AxisAlignedMms, TaylorGreen, UniformMotion<Dim>, BarFirstMode>;
+using ExactSolution = std::variant<AxisAlignedMms, TaylorGreen, UniformMotion<Dim>, BarFirstMode, GeneralizedVortex>;
 
 /// The material must be one that the solution is of (the scene is checked for that).
 template <int Dim>
@@ -75,6 +85,8 @@ double pressure(const TaylorGreen& flow, const Vec<Dim>& x, double t);
 /// Force per mass [m/s2] that makes a neo-Hookean body follow the solution.
 template <int Dim>
 Vec<Dim> body_force(const AxisAlignedMms& mms, const Vec<Dim>& X, double t);
+template <int Dim>
+Vec<Dim> body_force(const GeneralizedVortex& vortex, const Vec<Dim>& X, double t);
 
 /// What errors are divided by: the largest velocity (TaylorGreen: the rms one at time t; UniformMotion: the wave speed)
 /// [m/s], and the largest strain [-] (1 if there is none).

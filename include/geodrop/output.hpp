@@ -28,12 +28,16 @@ namespace geodrop {
 /// Exit code of a run that was stopped and can be resumed.
 inline constexpr int exit_stopped = 75;
 
+/// Where a run tells of itself: run.log always.
+enum class Telling { terminal, log_only };
+
 struct RunOptions {
   std::filesystem::path directory;  ///< empty: runs/<name of the scene file>
   int threads = 1;
   bool resume = false;
   double end = 0;              ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
   std::string resume_command;  ///< how to go on, shown when the run was stopped
+  Telling telling = Telling::terminal;
 };
 
 /// How a run ended.

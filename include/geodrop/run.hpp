@@ -9,6 +9,15 @@
 
 namespace geodrop {
 
+/// How a run ended and what it found.
+struct RunOutcome {
+  RunStatistics statistics;
+  Summary summary;
+};
+
+/// Runs the scene (or goes on from its checkpoint) and leaves a run directory.
+RunOutcome perform_run(const Scene& scene, const RunOptions& options);
+
 /// Runs the scene (or goes on from its checkpoint) and leaves a run directory. Returns the exit code: 0 done, 1 broken
 /// (the last frame is kept) or, with `verify`, an expectation not met, 75 stopped with a checkpoint.
 int run_scene(const Scene& scene, const RunOptions& options, bool verify);

@@ -43,6 +43,8 @@ struct Scene {
   std::vector<ProbeSpec> probes;
   std::vector<ResultSpec> results;
   std::vector<ExpectSpec> expect;
+  std::vector<VerifySpec> verify;
+  std::vector<VariantSpec> variants;
   std::string as_run;  ///< the scene as TOML with overrides applied and all defaults filled in
   bool operator==(const Scene&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <geodrop/exact.hpp>
 #include <geodrop/pipeline.hpp>
 
+#include <variant>
 #include <vector>
 
 namespace geodrop {
@@ -11,7 +12,7 @@ namespace geodrop {
 /// Which bodies of the state are driven, by index.
 struct DrivenBody {
   std::size_t body;
-  AxisAlignedMms mms;
+  std::variant<AxisAlignedMms, GeneralizedVortex> solution;
 };
 template <int Dim>
 std::vector<DrivenBody> driven_bodies(const Scene& scene);

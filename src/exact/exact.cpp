@@ -51,6 +51,13 @@ ExactSolution<Dim> make(const BarFirstModeSpec& spec, const Material& material) 
   return BarFirstMode{spec.amplitude, spec.axis, wave_number, wave_number * wave_speed(material)};
 }
 
+template <int Dim>
+ExactSolution<Dim> make(const GeneralizedVortexSpec& spec, const Material& material) {
+  const auto& solid = std::get<NeoHookean>(material);
+  return GeneralizedVortex{spec.angle, spec.radius, spec.half_width, spec.frequency,
+                           solid.shear_modulus / solid.density};
+}
+
 // --- Of one point ------------------------------------------------------------------------------
 
 struct AlongAxis {
@@ -118,6 +125,45 @@ ExactPoint<Dim> point(const BarFirstMode& bar, const Vec<Dim>& X, const Vec<Dim>
   return out;
 }
 
+/// (1 - s^2)^2 of s = (R - R0) / w, 0 beyond the ring, with its derivatives by R [1/m], [1/m2].
+struct Bump {
+  double value = 0, slope = 0, curvature = 0;
+};
+Bump bump(const GeneralizedVortex& vortex, double R) {
+  const double w = vortex.half_width, s = (R - vortex.radius) / w, rest = 1 - s * s;
+  if (rest <= 0) return {};
+  return {rest * rest, -4 * s * rest / w, (12 * s * s - 4) / (w * w)};
+}
+
+/// `e_r` and `e_theta` where the point X is at time t.
+template <int Dim>
+struct TurnedAxes {
+  Vec<Dim> along = Vec<Dim>::Zero(), across = Vec<Dim>::Zero();
+};
+template <int Dim>
+TurnedAxes<Dim> turned_axes(const Vec<Dim>& X, double turn) {
+  const double angle = std::atan2(X[1], X[0]) + turn, c = std::cos(angle), s = std::sin(angle);
+  TurnedAxes<Dim> axes;
+  axes.along[0] = axes.across[1] = c;
+  axes.along[1] = s;
+  axes.across[0] = -s;
+  return axes;
+}
+
+template <int Dim>
+ExactPoint<Dim> point(const GeneralizedVortex& vortex, const Vec<Dim>& X, const Vec<Dim>&, double t) {
+  const double R = std::hypot(X[0], X[1]), swing = vortex.angle * std::sin(vortex.frequency * t);
+  const Bump b = bump(vortex, R);
+  const TurnedAxes<Dim> axes = turned_axes<Dim>(X, swing * b.value), before = turned_axes<Dim>(X, 0.0);
+  const double rate = vortex.angle * vortex.frequency * std::cos(vortex.frequency * t);
+  ExactPoint<Dim> out;
+  out.displacement = R * (axes.along - before.along);
+  out.velocity = R * rate * b.value * axes.across;
+  out.velocity_gradient = rate * ((b.value + R * b.slope) * axes.across * axes.along.transpose() -
+                                  b.value * axes.along * axes.across.transpose());
+  return out;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -166,11 +212,26 @@ Vec<Dim> body_force(const AxisAlignedMms& mms, const Vec<Dim>& X, double t) {
   return force;
 }
 
+/// b = x'' - div sigma / rho with the shear gamma = R dalpha/dR: sigma_rtheta = mu gamma, sigma_thetatheta = mu
+/// gamma^2.
+template <int Dim>
+Vec<Dim> body_force(const GeneralizedVortex& vortex, const Vec<Dim>& X, double t) {
+  const double R = std::hypot(X[0], X[1]), omega = vortex.frequency;
+  const Bump b = bump(vortex, R);
+  const double swing = vortex.angle * std::sin(omega * t), rate = vortex.angle * omega * std::cos(omega * t) * b.value;
+  const TurnedAxes<Dim> axes = turned_axes<Dim>(X, swing * b.value);
+  const double slope = swing * b.slope, curvature = swing * b.curvature;
+  return (vortex.rigidity * R * slope * slope - R * rate * rate) * axes.along -
+         (R * omega * omega * swing * b.value + vortex.rigidity * (3 * slope + R * curvature)) * axes.across;
+}
+
 template <int Dim>
 double velocity_scale(const ExactSolution<Dim>& solution, double t) {
   if (const auto* mms = std::get_if<AxisAlignedMms>(&solution)) return mms->amplitude * mms->frequency;
   if (const auto* bar = std::get_if<BarFirstMode>(&solution)) return std::abs(bar->amplitude);
   if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution)) return motion->wave_speed;
+  if (const auto* vortex = std::get_if<GeneralizedVortex>(&solution))
+    return std::abs(vortex->angle) * vortex->frequency * vortex->radius;
   return speed_at(std::get<TaylorGreen>(solution), t) / std::numbers::sqrt2;
 }
 
@@ -191,6 +252,7 @@ double strain_scale(const ExactSolution<Dim>& solution) {
   template ExactPoint<D> exact_point<D>(const ExactSolution<D>&, const Vec<D>&, const Vec<D>&, double); \
   template double pressure<D>(const TaylorGreen&, const Vec<D>&, double);                               \
   template Vec<D> body_force<D>(const AxisAlignedMms&, const Vec<D>&, double);                          \
+  template Vec<D> body_force<D>(const GeneralizedVortex&, const Vec<D>&, double);                       \
   template double velocity_scale<D>(const ExactSolution<D>&, double);                                   \
   template double strain_scale<D>(const ExactSolution<D>&);
 GEODROP_INSTANTIATE(2)

@@ -36,14 +36,18 @@ std::FILE* open_log(const std::filesystem::path& path, LogMode mode) {
 
 }  // namespace
 
-Console::Console(const std::filesystem::path& log, LogMode mode)
-    : log_(open_log(log, mode)), is_terminal_(isatty(STDOUT_FILENO) == 1) {}
+Console::Console(const std::filesystem::path& log, LogMode mode, Telling telling)
+    : log_(open_log(log, mode)),
+      telling_(telling),
+      is_terminal_(telling == Telling::terminal && isatty(STDOUT_FILENO) == 1) {}
 
 void Console::print(const std::string& text) {
   clear_progress();
   const std::string line = text.ends_with('\n') ? text : text + "\n";
-  std::fputs(line.c_str(), stdout);
-  std::fflush(stdout);
+  if (telling_ == Telling::terminal) {
+    std::fputs(line.c_str(), stdout);
+    std::fflush(stdout);
+  }
   if (std::fputs(line.c_str(), log_.get()) < 0 || std::fflush(log_.get()) != 0)
     throw RunError(std::string("cannot write run.log: ") + std::strerror(errno));
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <geodrop/output.hpp>
 #include <memory>
 #include <string>
 
@@ -14,8 +15,9 @@ enum class LogMode { begin, append };
 
 class Console {
  public:
-  Console(const std::filesystem::path& log, LogMode mode);
-  /// To the terminal (or wherever the output goes) and to run.log. Throws RunError if the disk does not take it.
+  Console(const std::filesystem::path& log, LogMode mode, Telling telling);
+  /// To run.log and, unless it is all for the log, the terminal (or wherever the output goes). Throws RunError if the
+  /// disk does not take it.
   void print(const std::string& text);
   /// Replaces the progress line; does nothing where the output is no terminal.
   void show(const std::string& progress);
@@ -28,6 +30,7 @@ class Console {
   void clear_progress();
 
   std::unique_ptr<std::FILE, Close> log_;
+  Telling telling_;
   bool is_terminal_;
   bool progress_shown_ = false;
 };

@@ -115,7 +115,7 @@ struct Output<Dim>::Parts {
         directory(choose_directory(scene, options.directory)),
         resumed(check_run<Dim>(scene, options, directory)),
         replaced(options.resume ? 0 : prepare_directory(directory)),
-        console(directory / "run.log", log_mode(options.resume)),
+        console(directory / "run.log", log_mode(options.resume), options.telling),
         progress(end_of_run(scene, options), 0),
         rows_due(scene.output.history_interval),
         frames_due(scene.output.frame_interval),

@@ -44,14 +44,8 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   return statistics;
 }
 
-int exit_code(RunStatus status, bool expectations_met, bool verify) {
-  if (status == RunStatus::stopped) return exit_stopped;
-  if (status == RunStatus::failed) return 1;
-  return verify && !expectations_met ? 1 : 0;
-}
-
 template <int Dim>
-int run_in(const Scene& scene, const RunOptions& options, bool verify) {
+RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   // The state comes first: a scene that cannot be built must not touch an earlier run's directory.
   State<Dim> state;
   if (!options.resume) state = build_state<Dim>(scene);
@@ -69,13 +63,20 @@ int run_in(const Scene& scene, const RunOptions& options, bool verify) {
                           (statistics.status == RunStatus::done && end < scene.time.end && !is_over(scene, state));
   if (unfinished) output.checkpoint(Frame<Dim>(state));
   const Summary summary = output.finish(Frame<Dim>(state), statistics);
-  return exit_code(statistics.status, summary.expectations_met, verify);
+  return {statistics, summary};
 }
 
 }  // namespace
 
+RunOutcome perform_run(const Scene& scene, const RunOptions& options) {
+  return scene.dimension == 2 ? run_in<2>(scene, options) : run_in<3>(scene, options);
+}
+
 int run_scene(const Scene& scene, const RunOptions& options, bool verify) {
-  return scene.dimension == 2 ? run_in<2>(scene, options, verify) : run_in<3>(scene, options, verify);
+  const RunOutcome outcome = perform_run(scene, options);
+  if (outcome.statistics.status == RunStatus::stopped) return exit_stopped;
+  if (outcome.statistics.status == RunStatus::failed) return 1;
+  return verify && !outcome.summary.expectations_met ? 1 : 0;
 }
 
 }  // namespace geodrop

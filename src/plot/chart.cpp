@@ -44,12 +44,24 @@ struct Extent {
     }
   }
   /// A line of one value gets room above and below, where gnuplot would warn.
-  std::string range() const {
-    if (low > high) return "[0:1]";
+  std::string range(Axes axes) const {
+    constexpr double room = 1.5;  // factor on a logarithmic axis
+    if (low > high) return axes == Axes::logarithmic ? "[1:10]" : "[0:1]";
+    if (axes == Axes::logarithmic) return "[" + format_number(low / room) + ":" + format_number(high * room) + "]";
     const double margin = high > low ? 0.04 * (high - low) : std::max(std::abs(high), 1.0) * 0.5;
     return "[" + format_number(low - margin) + ":" + format_number(high + margin) + "]";
   }
 };
+
+/// Without what a logarithmic axis cannot show.
+ChartSeries on_axes(ChartSeries series, Axes axes) {
+  const auto hide = [&](double& value) {
+    if (axes == Axes::logarithmic && value <= 0) value = std::numeric_limits<double>::quiet_NaN();
+  };
+  std::for_each(series.x.begin(), series.x.end(), hide);
+  std::for_each(series.y.begin(), series.y.end(), hide);
+  return series;
+}
 
 std::string data_block(const std::string& name, const ChartSeries& series) {
   std::string text = name + " << EOD\n";
@@ -63,6 +75,7 @@ std::string data_block(const std::string& name, const ChartSeries& series) {
 std::string style_text(SeriesStyle style, std::size_t number) {
   const std::string colour = std::string(" linecolor rgb '") + colours[number % colours.size()] + "'";
   if (style == SeriesStyle::points) return "with points pointtype 6 pointsize 0.4" + colour;
+  if (style == SeriesStyle::marked_line) return "with linespoints linewidth 1.6 pointtype 7 pointsize 0.6" + colour;
   return "with lines linewidth 1.6" + colour + (style == SeriesStyle::dashed ? " dashtype 2" : "");
 }
 
@@ -70,7 +83,7 @@ std::string panel_text(const ChartPanel& panel, std::size_t number) {
   std::string data, plots;
   Extent x, y;
   for (std::size_t s = 0; s < panel.series.size(); ++s) {
-    const ChartSeries& series = panel.series[s];
+    const ChartSeries series = on_axes(panel.series[s], panel.axes);
     const std::string name = "$panel" + std::to_string(number) + "_" + std::to_string(s);
     data += data_block(name, series);
     x.add(series.x);
@@ -82,7 +95,8 @@ std::string panel_text(const ChartPanel& panel, std::size_t number) {
   // The line feed keeps the legend off the label.
   return data + "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) + ".\"\\n\"" +
          "\nset ylabel " + quoted(panel.y_label) + "\nset size ratio " + (panel.aspect == Aspect::equal ? "-1" : "0") +
-         "\nset xrange " + x.range() + "\nset yrange " + y.range() + "\n" + plots + "\n";
+         (panel.axes == Axes::logarithmic ? "\nset logscale xy" : "\nunset logscale") + "\nset xrange " +
+         x.range(panel.axes) + "\nset yrange " + y.range(panel.axes) + "\n" + plots + "\n";
 }
 
 /// What a program said and how it ended.

@@ -7,7 +7,7 @@
 
 namespace geodrop {
 
-enum class SeriesStyle { line, dashed, points };
+enum class SeriesStyle { line, dashed, points, marked_line };
 
 /// Points in the order in which they are joined; a point that is not finite interrupts the line.
 struct ChartSeries {
@@ -17,11 +17,13 @@ struct ChartSeries {
 };
 
 enum class Aspect { free, equal };
+enum class Axes { linear, logarithmic };
 
 struct ChartPanel {
   std::string title, x_label, y_label;  ///< labels with their unit, "time [s]"
   std::vector<ChartSeries> series;
   Aspect aspect = Aspect::free;  ///< equal: a metre is as long in x as in y
+  Axes axes = Axes::linear;      ///< logarithmic: both; points that are not > 0 are left out
 };
 
 struct Chart {

@@ -80,6 +80,7 @@ InitialVelocity bind_velocity(const Fields& f, std::size_t dimension) {
   const std::string type = f.text("type");
   if (type == "bar_first_mode") return BarFirstModeSpec{f.real("amplitude"), f.choice<int>("axis"), f.real("length")};
   if (type == "exact") return FromExactSpec{};
+  if (type == "linear") return LinearVelocitySpec{f.points("gradient"), f.point("centre")};
   if (type == "uniform") return UniformVelocitySpec{f.point("value")};
   return UniformVelocitySpec{Point(dimension, 0.0)};
 }
@@ -237,6 +238,10 @@ ExactSpec bind_exact(const Fields& f, SourceRef at) {
   if (type == "uniform_motion") return {body, UniformMotionSpec{f.point("velocity"), f.point("stretch")}, at};
   if (type == "bar_first_mode")
     return {body, BarFirstModeSpec{f.real("amplitude"), f.choice<int>("axis"), f.real("length")}, at};
+  if (type == "generalized_vortex") {
+    return {body, GeneralizedVortexSpec{f.real("angle"), f.real("radius"), f.real("half_width"), f.real("frequency")},
+            at};
+  }
   return {body, AxisAlignedMmsSpec{f.real("amplitude"), f.real("length")}, at};
 }
 
@@ -277,6 +282,25 @@ ResultSpec bind_result(const Fields& f, SourceRef at) {
 
 ExpectSpec bind_expect(const Fields& f, SourceRef at) {
   return {f.text("result"), f.real("expected"), f.real("tolerance"), f.text("source"), at};
+}
+
+VerifySpec bind_verify(const Fields& f, SourceRef at) {
+  VerifySpec verify;
+  verify.result = f.text("result");
+  verify.what = f.text("what");
+  verify.expected = f.real("expected");
+  verify.scale = f.real("scale");
+  verify.target = f.real("target");
+  verify.quick_target = f.real("quick_target");
+  verify.least_order = f.real("least_order");
+  verify.source = f.text("source");
+  verify.shortfall = f.text("shortfall");
+  verify.at = at;
+  return verify;
+}
+
+VariantSpec bind_variant(const Fields& f, SourceRef at) {
+  return {f.text("name"), f.names("set"), f.choice<VerifyMode>("in"), f.boolean("control"), at};
 }
 
 RefineSpec bind_zone(const Fields& f, SourceRef at) {
@@ -351,6 +375,8 @@ Scene bind_scene(const toml::table& complete, const Report& report) {
   scene.probes = bind_list(complete, report, "probes", bind_probe);
   scene.results = bind_list(complete, report, "results", bind_result);
   scene.expect = bind_list(complete, report, "expect", bind_expect);
+  scene.verify = bind_list(complete, report, "verify", bind_verify);
+  scene.variants = bind_list(complete, report, "variants", bind_variant);
   return scene;
 }
 

@@ -100,6 +100,14 @@ void check_pressure(const Scene& scene, const BodySpec& body, const std::string&
 
 }  // namespace
 
+void check_velocity(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const auto* linear = std::get_if<LinearVelocitySpec>(&body.initial_velocity);
+  const std::size_t rows = scene.gravity.size();
+  if (linear && report.healthy("gravity") && report.healthy(key) && linear->gradient.size() != rows)
+    report.add(key + ".gradient", std::to_string(linear->gradient.size()) + " rows",
+               std::to_string(rows) + ", as many as the dimension");
+}
+
 void check_bodies(const Scene& scene, Report& report) {
   check_owner_names(scene, report);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -108,6 +116,7 @@ void check_bodies(const Scene& scene, Report& report) {
     check_minus(scene, scene.bodies[i], key, report);
     check_shift(scene, scene.bodies[i], key, report);
     check_pressure(scene, scene.bodies[i], key, report);
+    check_velocity(scene, scene.bodies[i], key + ".initial_velocity", report);
     if (report.healthy("grid") && report.healthy("dimension") && report.healthy("gravity") &&
         report.healthy("membranes") && report.healthy(key))
       check_enclosed(scene, scene.bodies[i], key, report);

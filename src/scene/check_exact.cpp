@@ -8,9 +8,14 @@
 namespace geodrop {
 namespace {
 
+bool is_driven(const ExactSpec& exact) {
+  return std::holds_alternative<AxisAlignedMmsSpec>(exact.solution) ||
+         std::holds_alternative<GeneralizedVortexSpec>(exact.solution);
+}
+
 /// What a solution is of, in the scene's words.
 const char* models_of(const ExactSpec& exact) {
-  if (std::holds_alternative<AxisAlignedMmsSpec>(exact.solution)) return "neo_hookean";
+  if (is_driven(exact)) return "neo_hookean";
   if (std::holds_alternative<TaylorGreenSpec>(exact.solution)) return "newtonian";
   return std::holds_alternative<BarFirstModeSpec>(exact.solution) ? "linear_elastic" : "linear_elastic or neo_hookean";
 }
@@ -18,7 +23,7 @@ const char* models_of(const ExactSpec& exact) {
 bool fits(const ExactSpec& exact, const MaterialSpec& material) {
   const bool rubber = std::holds_alternative<NeoHookeanSpec>(material.model);
   const bool elastic = std::holds_alternative<LinearElasticSpec>(material.model);
-  if (std::holds_alternative<AxisAlignedMmsSpec>(exact.solution)) return rubber;
+  if (is_driven(exact)) return rubber;
   if (std::holds_alternative<BarFirstModeSpec>(exact.solution)) return elastic;
   if (std::holds_alternative<UniformMotionSpec>(exact.solution)) return elastic || rubber;
   return std::holds_alternative<NewtonianSpec>(material.model);
@@ -37,6 +42,11 @@ void check_solution(const Scene& scene, const ExactSpec& exact, const std::strin
     report.add(key + ".amplitude", to_text(mms->amplitude),
                "less than length / (2 pi) = " + to_text(mms->length / (2 * std::numbers::pi)) +
                    " [m], so that nothing turns inside out");
+  const auto* vortex = std::get_if<GeneralizedVortexSpec>(&exact.solution);
+  if (vortex && report.healthy(key + ".radius") && report.healthy(key + ".half_width") &&
+      vortex->half_width >= vortex->radius)
+    report.add(key + ".half_width", to_text(vortex->half_width),
+               "less than radius = " + to_text(vortex->radius) + " [m]");
 }
 
 void check_follower(const Scene& scene, const std::string& key, const std::string& body, Report& report) {

@@ -125,6 +125,18 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
   }
 }
 
+void check_verification(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.verify.size(); ++i) {
+    const std::string& key = report.element("verify", i);
+    check_reference(key + ".result", scene.verify[i].result, names_of(scene.results), "results", report);
+    if (report.healthy(key + ".expected") && report.healthy(key + ".scale") && scene.verify[i].expected == 0 &&
+        scene.verify[i].scale == 0)
+      report.add(key + ".scale", "nothing to divide by, expected is 0", "a scale > 0");
+  }
+  if (!scene.variants.empty() && scene.verify.empty())
+    report.add("variants", "variants without verify", "a [[verify]] that judges them");
+}
+
 }  // namespace
 
 void check_measurements(const Scene& scene, Report& report) {
@@ -144,6 +156,7 @@ void check_measurements(const Scene& scene, Report& report) {
     check_reference(report.element("expect", i) + ".result", scene.expect[i].result, names_of(scene.results), "results",
                     report);
   }
+  check_verification(scene, report);
 }
 
 }  // namespace geodrop

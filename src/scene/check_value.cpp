@@ -76,6 +76,17 @@ std::string other_dimension(const Key& key, const std::string& word) {
   return {};
 }
 
+ValueCheck check_texts(const Key& key, const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (!list) return wrong_type(node);
+  for (const toml::node& element : *list) {
+    const auto* text = element.as_string();
+    if (!text) return {false, to_text(element) + " in " + to_text(node)};
+    if (!key.allowed.holds(static_cast<double>(text->get().size()))) return {false, to_text(element)};
+  }
+  return {};
+}
+
 ValueCheck check_text(const Key& key, const toml::node& node) {
   const auto* text = node.as_string();
   if (!text) return wrong_type(node);
@@ -112,6 +123,8 @@ std::string kind_text(const Key& key, int dimension) {
   switch (key.kind) {
     case Kind::text:
       return "a text, " + std::string(key.allowed.text);
+    case Kind::texts:
+      return "a list of texts";
     case Kind::name:
       return "a name (" + std::string(key.allowed.text) + ")";
     case Kind::names:
@@ -168,6 +181,8 @@ ValueCheck check_value(const Key& key, const toml::node& node, int dimension) {
       return check_numbers(key, node, static_cast<std::size_t>(dimension));
     case Kind::points:
       return check_points(key, node, dimension);
+    case Kind::texts:
+      return check_texts(key, node);
     case Kind::names:
       return check_names(key, node);
     default:

@@ -36,6 +36,7 @@ constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { retur
 constexpr Range depth_range{"> 0; inf: no spring", [](double x) { return x > 0; }, true};
 constexpr Range rest_range{"> 0; inf: never", [](double x) { return x > 0; }, true};
 constexpr Range beyond_range{"> 0; inf: it stands still", [](double x) { return x > 0; }, true};
+constexpr Range slack_range{"> -1", [](double x) { return x > -1; }};
 constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 constexpr Range free_text{"any text", [](double) { return true; }};
 constexpr Range growth_range{"> 1 and <= 1.5", [](double x) { return x > 1 && x <= 1.5; }};
@@ -106,11 +107,17 @@ constexpr Section sections[] = {
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
-     "Exact solutions that bodies follow; the formulas stand in include/geodrop/exact.hpp. `axis_aligned_mms` comes "
-     "with the body force that it needs."},
+     "Exact solutions that bodies follow; the formulas stand in include/geodrop/exact.hpp. `axis_aligned_mms` and "
+     "`generalized_vortex` come with the body force that they need."},
     {"probes", "[[probes]]", "name", "What is measured beside the standard columns of history.csv."},
     {"results", "[[results]]", "name", "Numbers that a run ends with: a column of history.csv reduced to one value."},
     {"expect", "[[expect]]", "result", "What a result should be, and says who; a run prints both side by side."},
+    {"verify", "[[verify]]", "result",
+     "What `geodrop verify` judges the scene by: a result beside its reference. The error is |value - expected| over "
+     "`scale`."},
+    {"variants", "[[variants]]", "",
+     "The runs that `geodrop verify` makes of the scene, from coarse to fine; none: one, of the scene as it stands. "
+     "The last one that is no control has to meet the targets."},
 };
 
 // Columns: section, key, kind, unit, condition, need, allowed, meaning, and the dimension that a row is for if it is
@@ -141,6 +148,8 @@ constexpr Key keys[] = {
     {"", "probes", table_list, "", "", standard("[]"), maybe_none, "additional measurements"},
     {"", "results", table_list, "", "", standard("[]"), maybe_none, "numbers that the run ends with"},
     {"", "expect", table_list, "", "", standard("[]"), maybe_none, "what the results should be"},
+    {"", "verify", table_list, "", "", standard("[]"), maybe_none, "targets of `geodrop verify`"},
+    {"", "variants", table_list, "", "", standard("[]"), maybe_none, "runs of `geodrop verify`"},
 
     {"grid", "lower", point, "m", "", required, any, "lower corner of the domain"},
     {"grid", "upper", point, "m", "", required, any, "upper corner of the domain"},
@@ -228,9 +237,11 @@ constexpr Key keys[] = {
     {"bodies.shape", "point", point, "m", "type=half_plane|half_space", required, any, "a point of the boundary"},
     {"bodies.shape", "normal", point, "", "type=half_plane|half_space", required, any, "points out of the body; of any length"},
 
-    {"bodies.initial_velocity", "type", choice, "", "", required, words("rest|uniform|bar_first_mode|exact"), "which field; exact: of the solution that the body follows"},
+    {"bodies.initial_velocity", "type", choice, "", "", required, words("rest|uniform|bar_first_mode|linear|exact"), "which field; linear: v = gradient (x - centre); exact: of the solution that the body follows"},
     {"bodies.initial_velocity", "value", point, "m/s", "type=uniform", required, any, "velocity of all particles"},
     {"bodies.initial_velocity", "amplitude", real, "m/s", "type=bar_first_mode", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))"},
+    {"bodies.initial_velocity", "gradient", points, "1/s", "type=linear", required, any, "as many rows as dimension, dv_a/dx_b"},
+    {"bodies.initial_velocity", "centre", point, "m", "type=linear", required, any, "where the velocity is 0"},
     {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, axes_2d, "along the bar", 2},
     {"bodies.initial_velocity", "axis", choice, "", "type=bar_first_mode", required, axes_3d, "along the bar", 3},
     {"bodies.initial_velocity", "length", real, "m", "type=bar_first_mode", required, positive, "of the bar, which is fixed at coordinate 0"},
@@ -251,7 +262,7 @@ constexpr Key keys[] = {
     {"membranes", "axial_stiffness", real, "N/m", "", required, not_negative, "J, tension per strain; 0 with mass_per_area = 0: a skin that only carries contact"},
     {"membranes", "mass_per_area", real, "kg/m2", "", required, not_negative, "mass per area"},
     {"membranes", "strength", real, "N/m", "", standard("0.0"), not_negative, "tension at which it would tear, > 0; may be left out if axial_stiffness is 0"},
-    {"membranes", "slack", real, "", "", required, not_negative, "rest length / drawn length - 1"},
+    {"membranes", "slack", real, "", "", required, slack_range, "rest length / drawn length - 1; below 0 it is under tension from the start"},
     {"membranes", "segments_per_cell", real, "", "", standard("4.0"), dense, "nodes are h / segments_per_cell apart"},
     {"membranes", "interface", choice, "", "", standard("\"mixture\""), words("mixture|sharp"), "mixture: its body and what is around it move with one velocity field and stick to each other; sharp: each has its own, they slip along the membrane without friction and share the cells that it cuts exactly", 2},
     {"membranes", "shear", choice, "", "interface=sharp", required, words("none|wall_law|no_slip"), "what hinders the fluid around that slips along it: nothing; tau = 1/2 rho wall_friction u^2 at a velocity of slipping u; it sticks"},
@@ -320,11 +331,15 @@ constexpr Key keys[] = {
     {"pumps", "to", real, "s", "", required, positive, "when it ends; a relaxation does not end before"},
 
     {"exact", "body", name, "", "", required, reference, "the body that follows the solution"},
-    {"exact", "type", choice, "", "", required, words("axis_aligned_mms|taylor_green|uniform_motion|bar_first_mode"), "axis_aligned_mms: a neo-Hookean block that swings along each axis; taylor_green: decaying vortices of water; uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"},
+    {"exact", "type", choice, "", "", required, words("axis_aligned_mms|taylor_green|uniform_motion|bar_first_mode|generalized_vortex"), "axis_aligned_mms: a neo-Hookean block that swings along each axis; generalized_vortex: a neo-Hookean one with a ring that turns to and fro; taylor_green: decaying vortices of water; uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"},
     {"exact", "amplitude", real, "m", "type=axis_aligned_mms", required, positive, "A of u = A sin(2 pi X / length); 2 pi A / length is below 1"},
     {"exact", "amplitude", real, "m/s", "type=bar_first_mode", required, not_zero, "velocity of the free end"},
     {"exact", "speed", real, "m/s", "type=taylor_green", required, positive, "U of u = U sin(2 pi x / length) cos(2 pi y / length)"},
     {"exact", "length", real, "m", "type=axis_aligned_mms|taylor_green|bar_first_mode", required, positive, "of a wave; of the bar"},
+    {"exact", "angle", real, "rad", "type=generalized_vortex", required, positive, "G, by which the ring turns at most: alpha = G sin(frequency t) (1 - s^2)^2, s = (R - radius) / half_width, about the origin"},
+    {"exact", "radius", real, "m", "type=generalized_vortex", required, positive, "of the circle that turns most"},
+    {"exact", "half_width", real, "m", "type=generalized_vortex", required, positive, "of the ring; less than radius"},
+    {"exact", "frequency", real, "rad/s", "type=generalized_vortex", required, positive, "angular frequency of the swing"},
     {"exact", "axis", choice, "", "type=bar_first_mode", required, axes_2d, "along the bar", 2},
     {"exact", "axis", choice, "", "type=bar_first_mode", required, axes_3d, "along the bar", 3},
     {"exact", "velocity", point, "m/s", "type=uniform_motion", required, any, "of the drift"},
@@ -363,6 +378,21 @@ constexpr Key keys[] = {
     {"expect", "expected", real, "", "", required, any, "in the unit of the result"},
     {"expect", "tolerance", real, "", "", required, not_negative, "met if |value - expected| <= tolerance"},
     {"expect", "source", text, "", "", required, filled, "who says so"},
+
+    {"verify", "result", name, "", "", required, reference, "a name in results"},
+    {"verify", "what", text, "", "", required, filled, "what the error is of, in words"},
+    {"verify", "expected", real, "", "", required, any, "in the unit of the result"},
+    {"verify", "scale", real, "", "", standard("0.0"), not_negative, "what the difference is divided by; 0: |expected|"},
+    {"verify", "target", real, "", "", required, positive, "met if the error of the last variant is at most this"},
+    {"verify", "quick_target", real, "", "", standard("0.0"), not_negative, "likewise with `--quick`, which stops at a coarser grid; 0: the same"},
+    {"verify", "least_order", real, "", "", standard("0.0"), not_negative, "least order in the grid spacing that the errors of all variants show with `--full`; 0: none is asked for"},
+    {"verify", "source", text, "", "", required, filled, "who says so"},
+    {"verify", "shortfall", text, "", "", standard("\"\""), free_text, "why the target is known to be missed: the row says no, but the command does not fail by it. A `quick_target` holds all the same"},
+
+    {"variants", "name", text, "", "", required, filled, "e.g. h = 0.1 m"},
+    {"variants", "set", texts, "", "", standard("[]"), free_text, "overrides, each as after --set: \"grid.spacing=0.1\""},
+    {"variants", "in", choice, "", "", standard("\"both\""), words("quick|full|both"), "which of `geodrop verify --quick` and `--full` makes this run"},
+    {"variants", "control", boolean, "", "", standard("false"), yes_no, "broken on purpose: it has to miss a target, or to break"},
 };
 // clang-format on
 

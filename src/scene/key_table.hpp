@@ -11,6 +11,7 @@ namespace geodrop {
 
 enum class Kind {
   text,
+  texts,
   name,
   names,
   choice,

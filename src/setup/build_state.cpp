@@ -54,11 +54,23 @@ void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
 }
 
 template <int Dim>
+void set_linear_velocity(const LinearVelocitySpec& linear, Body<Dim>& body) {
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) {
+      const double rate = linear.gradient[a][b];
+      body.affine[a * Dim + b].assign(body.size(), rate);
+      for (std::size_t p = 0; p < body.size(); ++p) body.v[a][p] += rate * (body.x[b][p] - linear.centre[b]);
+    }
+}
+
+template <int Dim>
 void set_velocity(const Scene& scene, const InitialVelocity& initial, Body<Dim>& body) {
   if (std::holds_alternative<FromExactSpec>(initial)) {
     set_exact_velocity(exact_solution<Dim>(scene, body.name), body);
   } else if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
     for (int a = 0; a < Dim; ++a) body.v[a].assign(body.size(), uniform->value[a]);
+  } else if (const auto* linear = std::get_if<LinearVelocitySpec>(&initial)) {
+    set_linear_velocity(*linear, body);
   } else if (const auto* bar = std::get_if<BarFirstModeSpec>(&initial)) {
     const double k = std::numbers::pi / (2 * bar->length);
     const auto& x = body.x[bar->axis];

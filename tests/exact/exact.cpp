@@ -58,28 +58,44 @@ Tensor<Dim> piola(const ExactSolution<Dim>& solution, const NeoHookean& law, con
   return J * sigma * F.inverse().transpose();
 }
 
-template <int Dim>
-void check_mms() {
-  const Material rubber = material(NeoHookeanSpec{1000, 1e7, 0.3});
-  const auto& law = std::get<NeoHookean>(rubber);
-  const ExactSolution<Dim> solution = make_exact<Dim>({"", AxisAlignedMmsSpec{0.05, 1.0}, {}}, rubber);
-  const auto& mms = std::get<AxisAlignedMms>(solution);
-  CHECK(mms.frequency == doctest::Approx(pi * 100));  // pi sqrt(E / rho)
+/// Velocity and acceleration by differences in time, the force by the divergence of the stress: relative to the
+/// largest.
+template <int Dim, class Solution>
+void check_driven(const NeoHookean& law, const Solution& solution, double period, const Vec<Dim>& shift) {
+  const ExactSolution<Dim> any = solution;
+  const double step = period / 2000, speed = velocity_scale<Dim>(any, 0), rate = 2 * pi / period;
   std::mt19937 engine(1);
   for (int trial = 0; trial < 20; ++trial) {
-    const Vec<Dim> X = random_point<Dim>(engine);
-    const double t = 0.02 * random_point<1>(engine)[0];
-    const auto at = [&](double s) { return exact_point<Dim>(solution, X, X, t + s); };
-    const Vec<Dim> velocity = slope([&](double s) { return at(s).displacement; }, 1e-5);
-    CHECK((velocity - at(0).velocity).norm() < 1e-7 * 0.05 * mms.frequency);
-    const Vec<Dim> acceleration = slope([&](double s) { return at(s).velocity; }, 1e-5);
+    const Vec<Dim> X = random_point<Dim>(engine) + shift;
+    const double t = period * random_point<1>(engine)[0];
+    const auto at = [&](double s) { return exact_point<Dim>(any, X, X, t + s); };
+    const Vec<Dim> velocity = slope([&](double s) { return at(s).displacement; }, step);
+    CHECK((velocity - at(0).velocity).norm() < 1e-7 * speed);
+    const Vec<Dim> acceleration = slope([&](double s) { return at(s).velocity; }, step);
     Vec<Dim> divergence = Vec<Dim>::Zero();
     for (int b = 0; b < Dim; ++b)
       divergence +=
-          slope([&](double s) { return piola<Dim>(solution, law, X + s * Vec<Dim>::Unit(b), t).col(b).eval(); }, 1e-3);
+          slope([&](double s) { return piola<Dim>(any, law, X + s * Vec<Dim>::Unit(b), t).col(b).eval(); }, 1e-3);
     const Vec<Dim> needed = acceleration - divergence / law.density;
-    CHECK((body_force<Dim>(mms, X, t) - needed).norm() < 1e-6 * 0.05 * std::pow(mms.frequency, 2));
+    CHECK((body_force<Dim>(solution, X, t) - needed).norm() < 2e-6 * speed * rate);
   }
+}
+
+template <int Dim>
+void check_mms() {
+  const Material rubber = material(NeoHookeanSpec{1000, 1e7, 0.3});
+  const ExactSolution<Dim> solution = make_exact<Dim>({"", AxisAlignedMmsSpec{0.05, 1.0}, {}}, rubber);
+  const auto& mms = std::get<AxisAlignedMms>(solution);
+  CHECK(mms.frequency == doctest::Approx(pi * 100));  // pi sqrt(E / rho)
+  check_driven<Dim>(std::get<NeoHookean>(rubber), mms, 0.02, Vec<Dim>::Zero());
+}
+
+/// Points on all of the ring, which is as wide as the square in which they lie.
+template <int Dim>
+void check_vortex() {
+  const Material rubber = material(NeoHookeanSpec{1000, 1000, 0.3});
+  const ExactSolution<Dim> solution = make_exact<Dim>({"", GeneralizedVortexSpec{0.3, 1.0, 0.8, pi}, {}}, rubber);
+  check_driven<Dim>(std::get<NeoHookean>(rubber), std::get<GeneralizedVortex>(solution), 2.0, Vec<Dim>::Zero());
 }
 
 ExactPoint<2> flow_at(const ExactSolution<2>& flow, const Vec<2>& x, double t) { return exact_point<2>(flow, x, x, t); }
@@ -89,6 +105,30 @@ ExactPoint<2> flow_at(const ExactSolution<2>& flow, const Vec<2>& x, double t) {
 TEST_CASE("The body force of the manufactured solution closes the momentum equation, in 2D and 3D") {
   check_mms<2>();
   check_mms<3>();
+}
+
+TEST_CASE("The body force of the generalized vortex closes the momentum equation, in 2D and 3D") {
+  check_vortex<2>();
+  check_vortex<3>();
+}
+
+TEST_CASE("The generalized vortex turns circles as wholes and leaves all beyond its ring in place") {
+  const Material rubber = material(NeoHookeanSpec{1000, 1000, 0.3});
+  const ExactSolution<2> vortex = make_exact<2>({"", GeneralizedVortexSpec{0.3, 1.0, 0.25, pi}, {}}, rubber);
+  const auto at = [&](const Vec<2>& X, double t) { return exact_point<2>(vortex, X, X, t); };
+  CHECK(at({1, 0}, 0.5).displacement[0] == doctest::Approx(std::cos(0.3) - 1));  // the largest turn, after half a swing
+  CHECK(at({1, 0}, 0.5).displacement[1] == doctest::Approx(std::sin(0.3)));
+  CHECK(at({0, 1}, 0).velocity[0] == doctest::Approx(-0.3 * pi));
+  CHECK(at({0.3, 0.6}, 0.5).displacement.norm() == 0);
+  CHECK(at({0.9, 0.9}, 0.5).displacement.norm() == 0);
+  CHECK(body_force<2>(std::get<GeneralizedVortex>(vortex), {0.9, 0.9}, 0.5).norm() == 0);
+  CHECK(velocity_scale<2>(vortex, 0) == doctest::Approx(0.3 * pi));
+  // At t = 0 places have not moved yet, so that the gradient is one by X.
+  const Vec<2> X{0.7, 0.8};
+  for (int b = 0; b < 2; ++b) {
+    const Vec<2> column = slope([&](double s) { return at(X + s * Vec<2>::Unit(b), 0).velocity; }, 1e-3);
+    CHECK((at(X, 0).velocity_gradient.col(b) - column).norm() < 1e-6);
+  }
 }
 
 TEST_CASE("The body force is the published one") {

@@ -230,8 +230,8 @@ TEST_CASE("a run that fails because frames cannot be written still ends with a s
 
 TEST_CASE("a log that cannot be written is refused with the system's reason") {
   const TemporaryDirectory directory;
-  CHECK_THROWS_WITH_AS(Console(directory / "missing/run.log", LogMode::begin), doctest::Contains("No such file"),
-                       RunError);
+  CHECK_THROWS_WITH_AS(Console(directory / "missing/run.log", LogMode::begin, Telling::terminal),
+                       doctest::Contains("No such file"), RunError);
 }
 
 TEST_CASE("the table of stages") {

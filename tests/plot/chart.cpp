@@ -81,6 +81,18 @@ TEST_CASE("Equal aspect: a metre is as long in x as in y") {
   CHECK(std::abs((stretched[2].second - stretched[4].second) / (stretched[4].first - stretched[2].first) - 2) > 0.2);
 }
 
+TEST_CASE("Logarithmic axes: a power law is straight, what is not > 0 is left out, the next panel is linear again") {
+  Chart chart = parabola();
+  chart.panels[0].axes = Axes::logarithmic;
+  chart.panels[0].series[0] = {"power", {1, 10, 100, 1000}, {1, 100, 1e4, 0}};
+  chart.panels.push_back(parabola().panels[0]);
+  chart.panels[1].series[0] = {"line", {-1, 0, 1}, {-1, 0, 1}};
+  const auto points = curve(draw(chart));
+  REQUIRE(points.size() == 2 + 3);
+  CHECK(std::abs((points[4].second - points[2].second) / (points[3].second - points[2].second) - 2) < 0.002);
+  CHECK(std::abs((points[4].first - points[2].first) / (points[3].first - points[2].first) - 2) < 0.002);
+}
+
 TEST_CASE("A point that is not finite interrupts the line; no series and one value still draw") {
   Chart chart = parabola();
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();

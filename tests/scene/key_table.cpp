@@ -89,6 +89,7 @@ void check_refused(const Key& key, const std::string& path, const std::string& v
 std::string wrong_type(Kind kind) {
   switch (kind) {
     case Kind::text:
+    case Kind::texts:
     case Kind::name:
     case Kind::names:
     case Kind::choice:

@@ -32,6 +32,8 @@ Scene without_places(Scene scene) {
   clear(scene.probes);
   clear(scene.results);
   clear(scene.expect);
+  clear(scene.verify);
+  clear(scene.variants);
   scene.file.clear();
   scene.as_run.clear();
   return scene;
@@ -111,7 +113,7 @@ TEST_CASE("silent sides as written") {
 
 TEST_CASE("bodies as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.bodies.size() == 7);
+  REQUIRE(scene.bodies.size() == 8);
   const BodySpec &sea = scene.bodies[0], &bed = scene.bodies[1], &bag = scene.bodies[2], &wedge = scene.bodies[3],
                  &bar = scene.bodies[4];
   CHECK(sea.shape == Shape{BoxShape{{0, 2}, {10, 7}}});
@@ -135,6 +137,8 @@ TEST_CASE("bodies as written") {
   CHECK(wedge.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, -1}}});
   CHECK(wedge.initial_stress == InitialStress{ZeroStressSpec{}});
   CHECK(bar.initial_velocity == InitialVelocity{BarFirstModeSpec{0.1, 1, 25}});
+  const LinearVelocitySpec spin{{{0, -1}, {1, 0}}, {9.5, 9.25}};
+  CHECK(scene.bodies[5].initial_velocity == InitialVelocity{spin});
 }
 
 TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
@@ -185,12 +189,13 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.stages[1].places == std::vector<std::string>{"bar"});
   CHECK(scene.stages[1].moves == std::vector<std::string>{"wall"});
   CHECK(scene.stages[1].removes == std::vector<std::string>{"ram"});
-  REQUIRE(scene.exact.size() == 4);
+  REQUIRE(scene.exact.size() == 5);
   CHECK(scene.exact[0].body == "pad");
   CHECK(std::get<AxisAlignedMmsSpec>(scene.exact[0].solution) == AxisAlignedMmsSpec{0.05, 1.0});
   CHECK(std::get<TaylorGreenSpec>(scene.exact[1].solution) == TaylorGreenSpec{1.0, 1.0});
   CHECK(std::get<UniformMotionSpec>(scene.exact[2].solution) == UniformMotionSpec{{0.0, -1.0}, {1.1, 1.0}});
   CHECK(std::get<BarFirstModeSpec>(scene.exact[3].solution) == BarFirstModeSpec{0.1, 1, 25.0});
+  CHECK(std::get<GeneralizedVortexSpec>(scene.exact[4].solution) == GeneralizedVortexSpec{0.1, 1.0, 0.25, 3.0});
   REQUIRE(scene.results.size() == 11);
   using enum Reduction;
   const std::vector<Reduction> kinds{last,           min,       max,  mean, rms, percentile, period, first_time_below,
@@ -211,6 +216,26 @@ TEST_CASE("membranes, probes and results as written") {
   REQUIRE(scene.expect.size() == 2);
   CHECK(scene.expect[1].expected == 4.5);
   CHECK(scene.expect[1].source == "computed");
+}
+
+TEST_CASE("what verify judges by, and the runs that it makes, as written; without them none") {
+  const Scene scene = without_places(read_scene(every_key));
+  VerifySpec verify;
+  verify.result = "last_m_s";
+  verify.what = "velocity at the end";
+  verify.expected = 3.3;
+  verify.scale = 2;
+  verify.target = 0.01;
+  verify.quick_target = 0.02;
+  verify.least_order = 1.5;
+  verify.source = "measured";
+  verify.shortfall = "not tried yet";
+  CHECK(scene.verify == std::vector<VerifySpec>{verify});
+  CHECK(scene.variants == std::vector<VariantSpec>{{"coarse", {"grid.spacing=1.0"}, VerifyMode::full, true, {}}});
+  const Scene defaults = read_scene(every_key, {"variants.0.set=", "variants.0.in=", "variants.0.control="});
+  CHECK(defaults.variants.at(0).set.empty());
+  CHECK(defaults.variants.at(0).in == VerifyMode::both);
+  CHECK_FALSE(defaults.variants.at(0).control);
 }
 
 TEST_CASE("the scene as run reads back as the same scene") {

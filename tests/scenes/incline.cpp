@@ -28,7 +28,11 @@ std::vector<std::string> turned(const std::string& body, double angle, double fr
                                 Cover cover) {
   const std::string touching = cover == Cover::skin ? "skin" : body;
   std::vector<std::string> settings{
-      "results=[]", "expect=[]", "bodies." + body + ".shape=" + shape,
+      "results=[]",
+      "expect=[]",
+      "verify=[]",
+      "variants=[]",
+      "bodies." + body + ".shape=" + shape,
       "rigid.slope.shape.normal=" + to_toml(std::sin(angle * degree), std::cos(angle * degree)),
       "contacts=[{between=['slope','" + touching + "'],friction=" + std::to_string(friction) + "}]"};
   if (cover == Cover::bare) settings.push_back("membranes=[]");

@@ -57,6 +57,20 @@ TEST_CASE("A bar in its first mode moves with v0 sin(pi x / 2 L), its affine rat
   CHECK(state.v_max == doctest::Approx(fastest).epsilon(1e-14));
 }
 
+TEST_CASE("A linear field: v = gradient (x - centre), and the gradient goes with the particles") {
+  const std::string field = "{type='linear', gradient=[[0.5, -2.0], [3.0, 0.25]], centre=[1.0, 2.0]}";
+  const State<2> state =
+      build_state<2>(read_scene(source_path("cases/elastic_bar.toml"), {"bodies.bar.initial_velocity=" + field}));
+  const Body<2>& bar = state.bodies[0];
+  for (std::size_t p = 0; p < bar.size(); ++p) {
+    const double x = bar.x[0][p] - 1, y = bar.x[1][p] - 2;
+    CHECK(bar.v[0][p] == doctest::Approx(0.5 * x - 2 * y));
+    CHECK(bar.v[1][p] == doctest::Approx(3 * x + 0.25 * y));
+    CHECK(bar.affine[1][p] == -2);
+    CHECK(bar.affine[2][p] == 3);
+  }
+}
+
 TEST_CASE("With MUSL, which never renews them, particles start without gradients of velocity") {
   const State<2> state = build_state<2>(read_scene(source_path("cases/elastic_bar.toml"), {"solver.transfer=musl"}));
   for (const auto& component : state.bodies[0].affine)

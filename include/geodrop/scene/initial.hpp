@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace geodrop {
 
@@ -51,7 +52,13 @@ struct BarFirstModeSpec {
   double length = 0;     ///< [m]
   bool operator==(const BarFirstModeSpec&) const = default;
 };
-using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec, FromExactSpec>;
+/// v = gradient (x - centre): a rotation, a stretching, a shear.
+struct LinearVelocitySpec {
+  std::vector<Point> gradient;  ///< rows, dv_a/dx_b [1/s]
+  Point centre;                 ///< where it is at rest [m]
+  bool operator==(const LinearVelocitySpec&) const = default;
+};
+using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec, LinearVelocitySpec, FromExactSpec>;
 
 // Exact solutions. What each means stands in exact.hpp.
 struct AxisAlignedMmsSpec {
@@ -69,10 +76,18 @@ struct UniformMotionSpec {
   Point stretch;   ///< present over unstrained length [-]
   bool operator==(const UniformMotionSpec&) const = default;
 };
+struct GeneralizedVortexSpec {
+  double angle = 0;       ///< G, largest turn [rad]
+  double radius = 0;      ///< of the circle that turns most, about the origin [m]
+  double half_width = 0;  ///< of the ring that turns [m]
+  double frequency = 0;   ///< omega of sin(omega t) [rad/s]
+  bool operator==(const GeneralizedVortexSpec&) const = default;
+};
 /// A solution that a body follows: what it may start from, is driven by, and can be compared with.
 struct ExactSpec {
   std::string body;
-  std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec> solution;
+  std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec, GeneralizedVortexSpec>
+      solution;
   SourceRef at;
   bool operator==(const ExactSpec&) const = default;
 };

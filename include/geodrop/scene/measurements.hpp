@@ -113,4 +113,31 @@ struct ExpectSpec {
   bool operator==(const ExpectSpec&) const = default;
 };
 
+/// What `geodrop verify` judges a scene by: a result beside its reference.
+struct VerifySpec {
+  std::string result;
+  std::string what;         ///< in words, with the unit of the error
+  double expected = 0;      ///< in the unit of the result
+  double scale = 0;         ///< the error is |value - expected| over this; 0: over |expected|
+  double target = 0;        ///< largest error of the last variant of a full verification
+  double quick_target = 0;  ///< of a quick one, which stops at a coarser grid; 0: the same
+  double least_order = 0;   ///< of the error over all variants against the grid spacing; 0: none is asked for
+  std::string source;
+  std::string shortfall;  ///< why the target is known to be missed; empty: it is not
+  SourceRef at;
+  bool operator==(const VerifySpec&) const = default;
+};
+/// When `geodrop verify` runs a variant.
+enum class VerifyMode { quick, full, both };
+
+/// A run that `geodrop verify` makes of the scene.
+struct VariantSpec {
+  std::string name;
+  std::vector<std::string> set;  ///< overrides, each as after --set
+  VerifyMode in = VerifyMode::both;
+  bool control = false;  ///< broken on purpose: has to miss a target
+  SourceRef at;
+  bool operator==(const VariantSpec&) const = default;
+};
+
 }  // namespace geodrop
