@@ -21,7 +21,7 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 /// K + 4G/3 [Pa], of laterally confined compression.
 double confined_modulus(double bulk, double shear) { return bulk + 4.0 / 3.0 * shear; }
 
-Newtonian make(const NewtonianSpec& spec) { 
+Newtonian make(const NewtonianSpec& spec) {
   return {spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length};
 }
 

@@ -53,11 +53,11 @@ auto members(Part& part) {
                     deviatoric_strain, gap, id, initial_x, layer, slab_begin);
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
-           rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction,
-           drag_coefficient, fluid_density, water_pressure, water_shear] = part;
+           rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction, drag_coefficient,
+           fluid_density, water_pressure, water_shear] = part;
     return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v,
-                    mass, rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear,
-                    wall_friction, drag_coefficient, fluid_density, water_pressure, water_shear);
+                    mass, rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction,
+                    drag_coefficient, fluid_density, water_pressure, water_shear);
   } else if constexpr (is_rigid_body<Plain>) {
     auto& [name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement, angle_rate,
            velocity] = part;

@@ -10,8 +10,8 @@
 
 namespace geodrop {
 
-/// `<body>.mach_ratio` of each body of a fluid: the largest rms velocity that any body had in a row, over the wave speed
-/// of the fluid.
+/// `<body>.mach_ratio` of each body of a fluid: the largest rms velocity that any body had in a row, over the wave
+/// speed of the fluid.
 std::vector<Fact> mach_numbers(const Scene& scene, const HistoryTable& history);
 
 }  // namespace geodrop

@@ -59,8 +59,8 @@ struct MembraneSpec {
   Shear shear = Shear::none;
   double wall_friction = 0;     ///< C_f of Shear::wall_law [-]
   double drag_coefficient = 0;  ///< C_d of a drag that the fluid does not feel, on the width across the motion [-]
-  std::string bed;          ///< body around that a sharp membrane rubs on; empty: none
-  double bed_friction = 0;  ///< on it [-]
+  std::string bed;              ///< body around that a sharp membrane rubs on; empty: none
+  double bed_friction = 0;      ///< on it [-]
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };

@@ -11,9 +11,9 @@ namespace geodrop {
 
 /// Newtonian, weakly compressible: p = K (rho / rho0 - 1), deviator 2 mu dev(D).
 struct NewtonianSpec {
-  double density = 0;       ///< at zero pressure [kg/m3]
-  double bulk_modulus = 0;  ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
-  double viscosity = 0;     ///< dynamic [Pa s]
+  double density = 0;        ///< at zero pressure [kg/m3]
+  double bulk_modulus = 0;   ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
+  double viscosity = 0;      ///< dynamic [Pa s]
   double mixing_length = 0;  ///< of eddies that are not resolved [m]; 0: none
   bool operator==(const NewtonianSpec&) const = default;
 };
