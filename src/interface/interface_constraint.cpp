@@ -157,6 +157,32 @@ Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, cons
   return solver.solveWithGuess(gap_rate, guess);
 }
 
+/// The same, where some rows may only push: those that would pull are open, and take no part, unless their gap would
+/// close then (primal-dual active sets, Hintermueller et al. 2002).
+Eigen::VectorXd solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const std::vector<bool>& only_pushes,
+                      const Eigen::VectorXd& guess) {
+  constexpr int most_rounds = 10;
+  const SparseRows S = E * E.transpose();
+  const Eigen::VectorXd gap_rate = E * velocity_rate;
+  Eigen::VectorXd traction = solve(S, gap_rate, guess);
+  Eigen::VectorXd joined = Eigen::VectorXd::Ones(gap_rate.size());
+  for (int round = 0; round < most_rounds; ++round) {
+    const Eigen::VectorXd closing = gap_rate - S * traction;
+    bool changed = false;
+    for (Eigen::Index r = 0; r < gap_rate.size(); ++r) {
+      const double pushes = only_pushes[r] && traction[r] + closing[r] / S.coeff(r, r) < 0 ? 0 : 1;
+      changed = changed || pushes != joined[r];
+      joined[r] = pushes;
+    }
+    if (!changed) break;
+    const SparseRows F = joined.asDiagonal() * E;
+    SparseRows of_joined = F * F.transpose();
+    of_joined.diagonal().array() += 1 - joined.array();
+    traction = solve(of_joined, joined.cwiseProduct(gap_rate), joined.cwiseProduct(guess));
+  }
+  return traction;
+}
+
 /// One normal velocity, and one velocity where the fluid sticks.
 void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   ContactRows rows(grids);
@@ -170,8 +196,11 @@ void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   }
   for (const Contact& contact : contacts) forget_tractions(*contact.membrane);
   if (rows.list().empty()) return;
+  std::vector<bool> only_pushes;
+  for (const ContactRows::Row& row : rows.list())
+    only_pushes.push_back(row.direction == Direction::normal && contacts[row.contact].on_bed);
   const SparseRows E = rows.rows().matrix();
-  const Eigen::VectorXd traction = solve(E * E.transpose(), E * rows.rows().scaled_velocities() / dt, guess);
+  const Eigen::VectorXd traction = solve(E, rows.rows().scaled_velocities() / dt, only_pushes, guess);
   apply_pressures(rows.rows(), E, traction, dt, grids);
   store(rows, traction, grids, contacts);
 }

@@ -268,7 +268,7 @@ constexpr Key keys[] = {
     {"membranes", "shear", choice, "", "interface=sharp", required, words("none|wall_law|no_slip"), "what hinders the fluid around that slips along it: nothing; tau = 1/2 rho wall_friction u^2 at a velocity of slipping u; it sticks"},
     {"membranes", "wall_friction", real, "", "shear=wall_law", required, not_negative, "C_f of the wall law"},
     {"membranes", "drag_coefficient", real, "", "interface=sharp", standard("0.0"), not_negative, "C_d of a model drag 1/2 rho C_d W v^2 on the width W across the body's motion, in place of the wake that a flow without friction lacks; the fluid does not feel it"},
-    {"membranes", "bed", text, "", "", standard("\"\""), any, "with interface = sharp: a body of soil around it on which it rubs; on all else it slips without friction, and it parts from nothing"},
+    {"membranes", "bed", text, "", "", standard("\"\""), any, "with interface = sharp: a body of soil around it on which it rubs and from which it parts rather than pull; it does not part from anything else"},
     {"membranes", "bed_friction", real, "", "", standard("0.0"), not_negative, "coefficient of friction on the bed; given with bed only"},
     {"membranes", "averaging_segments", integer, "", "", standard("2"), window, "half width of the running mean of strain and force"},
 
