@@ -6,13 +6,11 @@ fall_work_precision.csv and .svg.
     perf/fall_work_precision.py OUTPUT_DIR [--threads N]
 """
 import argparse
-import csv
-import json
-import subprocess
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runs import ROOT, draw, measure, run_scene
+
 SCENE = ROOT / "cases/verification/fall_free_slip.toml"
 LIMIT = 4.79  # m/s, Richardson's of h = 0.25, 0.125, 0.0625 m at c = 60 m/s; docs/dumping.md
 ZONES = "grid.refine=[{{axis='x',from=-1.5,to=1.5,spacing={0}}}]"
@@ -25,7 +23,7 @@ WAYS = {
 }
 
 
-def run(name, spacing, arguments):
+def run(name, spacing, threads):
     """One row of the table."""
     interface, settings = WAYS[name]
     text = SCENE.read_text()
@@ -39,33 +37,10 @@ def run(name, spacing, arguments):
     with tempfile.TemporaryDirectory() as directory:
         scene = Path(directory) / "fall.toml"
         scene.write_text(text)
-        command = [str(ROOT / "geodrop"), "run", str(scene), "--threads", str(arguments.threads), "--output", directory + "/run"]
-        for setting in settings:
-            command += ["--set", setting]
-        subprocess.run(command, capture_output=True, check=True)
-        summary = json.loads((Path(directory) / "run/summary.json").read_text())
+        summary = run_scene(scene, settings, threads, check=True)
     velocity = summary["results"]["velocity_at_1_5_m_s"]["value"]
     return {"name": name, "spacing_m": spacing, "wall_s": summary["wall_s"], "steps": summary["steps"],
             "velocity_m_s": velocity, "error": abs(velocity / LIMIT - 1)}
-
-
-def draw(rows, path):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "geodrop"  # the same file for the same numbers
-    import matplotlib.pyplot as plt
-
-    figure, panel = plt.subplots(figsize=(7, 5))
-    for name in WAYS:
-        points = [(row["wall_s"], row["error"]) for row in rows if row["name"] == name]
-        panel.loglog(*zip(*points), "o-", label=name)
-    panel.set(xlabel="wall time [s]", ylabel="error of the velocity after 1.5 s [-]",
-              title=f"Container falling in free slip, beside {LIMIT} m/s")
-    panel.grid(alpha=0.3, which="both")
-    panel.legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
 
 
 def main():
@@ -74,17 +49,10 @@ def main():
     parser.add_argument("--threads", type=int, default=2)
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
-    rows = []
-    with open(arguments.output / "fall_work_precision.csv", "w", newline="") as file:
-        for name in WAYS:
-            for spacing in SPACINGS:
-                rows.append(run(name, spacing, arguments))
-                print(rows[-1], flush=True)
-                writer = csv.DictWriter(file, rows[0].keys())
-                if len(rows) == 1:
-                    writer.writeheader()
-                writer.writerow(rows[-1])
-    draw(rows, arguments.output / "fall_work_precision.svg")
+    rows = measure(WAYS, SPACINGS, lambda name, spacing: run(name, spacing, arguments.threads),
+                   arguments.output / "fall_work_precision.csv")
+    labels = {"ylabel": "error of the velocity after 1.5 s [-]", "title": f"Container falling in free slip, beside {LIMIT} m/s"}
+    draw(rows, "error", labels, arguments.output / "fall_work_precision.svg")
 
 
 if __name__ == "__main__":

@@ -5,13 +5,10 @@ runs each at three resolutions and writes geotube_bases.csv and geotube_bases.sv
     perf/geotube_bases.py OUTPUT_DIR [--threads N] [--end SECONDS]
 """
 import argparse
-import csv
-import json
-import subprocess
-import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runs import ROOT, draw, measure, run_scene
+
 EXACT = 1.806097126 / 3.667189097  # height / width, J = 1e4 kN/m
 CELLS = ["bodies.fluid.pressure=cell"]
 MUSL = ["solver.transfer=musl", "solver.blend_rate=0"]
@@ -24,16 +21,10 @@ WAYS = {
 }
 
 
-def run(name, settings, spacing, arguments):
+def run(name, spacing, arguments):
     """One row of the table."""
-    with tempfile.TemporaryDirectory() as directory:
-        command = [str(ROOT / "geodrop"), "run", str(ROOT / "cases/geotube_556.toml"), "--threads", str(arguments.threads),
-                   "--output", directory]
-        for setting in settings + [f"grid.spacing={spacing}", f"time.end={arguments.end}"]:
-            command += ["--set", setting]
-        subprocess.run(command, capture_output=True, check=False)
-        with open(Path(directory) / "summary.json") as file:
-            summary = json.load(file)
+    settings = WAYS[name] + [f"grid.spacing={spacing}", f"time.end={arguments.end}"]
+    summary = run_scene(ROOT / "cases/geotube_556.toml", settings, arguments.threads)
     value = {key: entry["value"] for key, entry in summary["results"].items()}
     ok = summary["status"] == "done"
     ratio = value["height_m"] / value["width_m"] if ok else float("nan")
@@ -43,24 +34,6 @@ def run(name, settings, spacing, arguments):
             "out_of_balance_ratio": value["out_of_balance_ratio"], "steps": summary["steps"]}
 
 
-def draw(rows, path):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "geodrop"  # the same file for the same numbers
-    import matplotlib.pyplot as plt
-
-    figure, panel = plt.subplots(figsize=(7, 5))
-    for name in WAYS:
-        points = [(row["wall_s"], row["height_over_width_error"]) for row in rows if row["name"] == name]
-        panel.loglog(*zip(*points), "o-", label=name)
-    panel.set(xlabel="wall time [s]", ylabel="error of height / width [-]", title="Geotube, 5.56 m2")
-    panel.grid(alpha=0.3)
-    panel.legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output", type=Path)
@@ -68,17 +41,10 @@ def main():
     parser.add_argument("--end", type=float, default=4.0, help="simulated time of runs that do not come to rest [s]")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
-    rows = []
-    with open(arguments.output / "geotube_bases.csv", "w", newline="") as file:
-        for name, settings in WAYS.items():
-            for spacing in (0.2, 0.1, 0.05):
-                rows.append(run(name, settings, spacing, arguments))
-                print(rows[-1], flush=True)
-                writer = csv.DictWriter(file, rows[0].keys())
-                if len(rows) == 1:
-                    writer.writeheader()
-                writer.writerow(rows[-1])
-    draw(rows, arguments.output / "geotube_bases.svg")
+    rows = measure(WAYS, (0.2, 0.1, 0.05), lambda name, spacing: run(name, spacing, arguments),
+                   arguments.output / "geotube_bases.csv")
+    labels = {"ylabel": "error of height / width [-]", "title": "Geotube, 5.56 m2"}
+    draw(rows, "height_over_width_error", labels, arguments.output / "geotube_bases.svg")
 
 
 if __name__ == "__main__":

@@ -11,7 +11,10 @@ namespace geodrop {
 /// a field each, and so has a body with a sharp interface; all others share one, number 0.
 std::vector<int> velocity_fields(const Scene& scene);
 
-/// Their number, at least 1.
+/// The first fluid outside of all sharp membranes; null if there is none.
+const NewtonianSpec* fluid_around(const Scene& scene);
+
+/// The number of velocity fields, at least 1.
 int count_velocity_fields(const Scene& scene);
 
 }  // namespace geodrop

@@ -5,6 +5,14 @@
 #include "seams.hpp"
 
 namespace geodrop {
+template <int Dim>
+double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
+  double mass = grid.light_mass;
+  if (grid.layout.graded())
+    for (int a = 0; a < Dim; ++a) mass *= grid.layout.spline_width(a, node[a] - GridLayout<Dim>::pad);
+  return mass;
+}
+
 namespace {
 
 /// Sign of component `component` under reflection at a wall normal to `axis`.
@@ -110,15 +118,6 @@ double fill_ratio(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& n
 
 /// Impulses that light nodes could not take, by node.
 using LeftOver = std::vector<std::pair<int, Vec4>>;
-
-/// Mass below which a node is light: on a graded grid a share of what its own spline holds.
-template <int Dim>
-double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
-  double mass = grid.light_mass;
-  if (grid.layout.graded())
-    for (int a = 0; a < Dim; ++a) mass *= grid.layout.spline_width(a, node[a] - GridLayout<Dim>::pad);
-  return mass;
-}
 
 struct MomentumStep {
   Vec4 gravity;  ///< dt g [m/s]
@@ -228,9 +227,10 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
   impose_wall_velocity(grid);
 }
 
-#define GEODROP_INSTANTIATE(D)                     \
-  template void impose_wall_velocity<D>(Grid<D>&); \
-  template void fold_walls<D>(Grid<D>&);           \
+#define GEODROP_INSTANTIATE(D)                                              \
+  template double light_mass<D>(const Grid<D>&, const std::array<int, D>&); \
+  template void impose_wall_velocity<D>(Grid<D>&);                          \
+  template void fold_walls<D>(Grid<D>&);                                    \
   template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

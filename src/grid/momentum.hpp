@@ -6,6 +6,11 @@
 
 namespace geodrop {
 
+/// Mass below which a node, given by its stored coordinates, is light [kg]: on a graded grid a share of what its own
+/// spline holds.
+template <int Dim>
+double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node);
+
 /// Folds what particles scattered beyond the walls onto the mirror nodes: normal component with sign -1, tangential
 /// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums. Of walls
 /// only the active blocks are visited.

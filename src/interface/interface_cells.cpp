@@ -53,10 +53,8 @@ std::vector<CutCell> cut_cells_of(const Grid<2>& grid, const Membrane<2>& membra
     if (place[piece.cell] < 0) {
       place[piece.cell] = static_cast<int>(cut.size());
       const int flat = flat_of(grid.layout, cells, piece.cell);
-      cut.push_back({flat,
-                     faces_of(cells, piece.cell, spans_of(grid.layout, flat)),
-                     beside_right_face(cells, piece.cell, spans_of(grid.layout, flat)),
-                     {}});
+      const CellSpans spans = spans_of(grid.layout, flat);
+      cut.push_back({flat, faces_of(cells, piece.cell, spans), beside_right_face(cells, piece.cell, spans), {}});
     }
     CutCell& cell = cut[place[piece.cell]];
     const PieceIntegral integral = integrate_piece(grid.layout, membrane, cells, piece);
@@ -71,8 +69,7 @@ std::vector<CutCell> cut_cells_of(const Grid<2>& grid, const Membrane<2>& membra
 
 /// Whether the field's part of a cell stands by itself.
 bool stands(const Grid<2>& grid, int flat) {
-  const CellSpans cell = spans_of(grid.layout, flat);
-  const double whole = cell[0].width * cell[1].width;
+  const double whole = cell_area(grid.layout, flat);
   return 1 - grid.taken[flat] >= least_part && (grid.cell_flags[flat] & cell_filled) &&
          grid.cell_volume[flat] >= least_filled * whole;
 }

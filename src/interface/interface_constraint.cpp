@@ -165,6 +165,7 @@ Eigen::VectorXd solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate,
   const SparseRows S = E * E.transpose();
   const Eigen::VectorXd gap_rate = E * velocity_rate;
   Eigen::VectorXd traction = solve(S, gap_rate, guess);
+  if (std::find(only_pushes.begin(), only_pushes.end(), true) == only_pushes.end()) return traction;
   Eigen::VectorXd joined = Eigen::VectorXd::Ones(gap_rate.size());
   for (int round = 0; round < most_rounds; ++round) {
     const Eigen::VectorXd closing = gap_rate - S * traction;
@@ -216,12 +217,12 @@ void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   const SparseRows T = rows.rows().matrix();
   const Eigen::MatrixXd S = T * T.transpose();
   const Eigen::VectorXd slip = T * rows.rows().scaled_velocities(), slip_rate = slip / dt;
-  Eigen::VectorXd traction = Eigen::VectorXd::Zero(S.rows());
+  Eigen::VectorXd traction = Eigen::VectorXd::Zero(S.rows()), most(S.rows());
+  for (Eigen::Index r = 0; r < S.rows(); ++r) most[r] = contacts[rows.list()[r].contact].most_friction(slip[r]);
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (Eigen::Index r = 0; r < S.rows(); ++r) {
       const double wanted = traction[r] + (slip_rate[r] - S.row(r).dot(traction)) / S(r, r);
-      const double most = contacts[rows.list()[r].contact].most_friction(slip[r]);
-      traction[r] = std::clamp(wanted, -most, most);
+      traction[r] = std::clamp(wanted, -most[r], most[r]);
     }
   apply_pressures(rows.rows(), T, traction, dt, grids);
   store(rows, traction, grids, contacts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../grid/momentum.hpp"
 #include "outline_pieces.hpp"
 #include "wet_cells.hpp"
 
@@ -12,12 +13,8 @@ namespace {
 /// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [width of the cell].
 constexpr double least_length = 0.25;
 
-/// Mass below which a node is light, as in grid/momentum.
 double light_mass(const Grid<2>& grid, int node) {
-  if (!grid.layout.graded()) return grid.light_mass;
-  constexpr int pad = GridLayout<2>::pad;
-  const int column = node % grid.layout.stride[1], row = node / grid.layout.stride[1];
-  return grid.light_mass * grid.layout.spline_width(0, column - pad) * grid.layout.spline_width(1, row - pad);
+  return light_mass<2>(grid, {node % grid.layout.stride[1], node / grid.layout.stride[1]});
 }
 
 }  // namespace

@@ -75,6 +75,11 @@ inline PieceIntegral integrate_piece(const GridLayout<2>& layout, const Membrane
 /// Whether a membrane is there and has a sharp interface.
 inline bool acts_sharply(const Membrane<2>& membrane) { return membrane.sharp && membrane.field != waiting; }
 
+/// Area of a cell, walls or not [m2].
+inline double cell_area(const GridLayout<2>& layout, int flat) {
+  return span_of(layout, 0, flat).width * span_of(layout, 1, flat).width;
+}
+
 /// Width of a cell where it is narrower [m].
 inline double least_width(const GridLayout<2>& layout, int flat) {
   return std::min(span_of(layout, 0, flat).width, span_of(layout, 1, flat).width);

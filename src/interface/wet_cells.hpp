@@ -14,8 +14,7 @@ inline bool is_wet(const Grid<2>& around, int flat) {
   double room = 0, filled = 0;
   for (int n = 0; n < 9; ++n) {
     const int other = node_around(around.layout, flat, n);
-    const double area = span_of(around.layout, 0, other).width * span_of(around.layout, 1, other).width;
-    room += (1 - around.taken[other]) * area;
+    room += (1 - around.taken[other]) * cell_area(around.layout, other);
     filled += around.cell_volume[other];
   }
   return filled >= wet_share * room;

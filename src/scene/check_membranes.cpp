@@ -73,11 +73,7 @@ void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::stri
 /// A wall law and a drag coefficient need the density of a fluid.
 void check_fluid_around(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (membrane.interface != Interface::sharp || !report.healthy("bodies") || !report.healthy("materials")) return;
-  const std::vector<int> fields = velocity_fields(scene);
-  for (std::size_t b = 0; b < fields.size(); ++b) {
-    const MaterialSpec* material = find_material(scene, scene.bodies[b].material);
-    if (fields[b] == 0 && material && std::holds_alternative<NewtonianSpec>(material->model)) return;
-  }
+  if (fluid_around(scene)) return;
   const std::string allowed = "it where a body of newtonian material is around";
   if (membrane.shear == Shear::wall_law) report.add(key + ".shear", "\"wall_law\" without a fluid around", allowed);
   if (membrane.drag_coefficient > 0)

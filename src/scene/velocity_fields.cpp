@@ -35,6 +35,16 @@ std::vector<int> velocity_fields(const Scene& scene) {
   return field;
 }
 
+const NewtonianSpec* fluid_around(const Scene& scene) {
+  const std::vector<int> fields = velocity_fields(scene);
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    const MaterialSpec* material = find_material(scene, scene.bodies[b].material);
+    const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+    if (fluid && fields[b] == 0) return fluid;
+  }
+  return nullptr;
+}
+
 int count_velocity_fields(const Scene& scene) {
   const std::vector<int> field = velocity_fields(scene);
   return field.empty() ? 1 : 1 + *std::max_element(field.begin(), field.end());

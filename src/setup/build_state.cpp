@@ -132,16 +132,6 @@ double distance(const Membrane<Dim>& membrane, std::size_t a, std::size_t b) {
   return std::sqrt(sum);
 }
 
-/// Of the first fluid outside of all sharp membranes, 0 if there is none.
-double density_of_fluid_around(const Scene& scene) {
-  const std::vector<int> fields = velocity_fields(scene);
-  for (std::size_t b = 0; b < fields.size(); ++b) {
-    const MaterialSpec& material = *find_material(scene, scene.bodies[b].material);
-    if (const auto* fluid = std::get_if<NewtonianSpec>(&material.model); fluid && fields[b] == 0) return fluid->density;
-  }
-  return 0;
-}
-
 /// Rest length is the drawn length times 1 + slack; the fabric keeps its mass per rest length.
 template <int Dim>
 Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
@@ -177,7 +167,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
     membrane.shear = spec.shear;
     membrane.wall_friction = spec.wall_friction;
     membrane.drag_coefficient = spec.drag_coefficient;
-    membrane.fluid_density = density_of_fluid_around(scene);
+    if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
     membrane.water_pressure.assign(segments, 0.0);
     membrane.water_shear.assign(segments, 0.0);
   }
