@@ -130,6 +130,7 @@ struct RigidContact {
   std::array<double, Dim> normal_force{}, friction_force{};  ///< sums over the points in the last step [N]
   double normal_sum = 0, friction_sum = 0;                   ///< sums of their sizes, friction with its sign [N]
   double friction_work = 0, damping_work = 0;                ///< turned into heat so far [J]
+  double driving_work = 0;                                   ///< done by the motion of the rigid body so far [J]
 };
 
 /// Two membranes that touch, or the folds of one, see contact/membrane_contact.
@@ -188,6 +189,17 @@ struct Relaxation {
   std::uint64_t cycles = 0, cycles_at_rest = 0;        ///< so far; the latest ones in a row that met both criteria
 };
 
+/// What a state may hold in motion and strain, see pipeline/energy_watch. Energies in J.
+struct EnergyBudget {
+  bool begun = false;
+  std::uint64_t stages = 0;  ///< that had been entered when it began
+  double t = 0;              ///< of the last look, when all was in order [s]
+  double held = 0;           ///< in motion and strain when it began
+  double potential = 0;      ///< in gravity, when it began
+  double fallen = 0;         ///< largest work of gravity since
+  double driven = 0;         ///< by the motion of rigid bodies, when it began
+};
+
 /// Massless points that move with the grid velocity.
 template <int Dim>
 struct Tracer {
@@ -214,6 +226,7 @@ struct State {
   std::vector<SilentSide> silent_sides;
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
+  EnergyBudget energy_budget;
 
   /// Number of particles of all bodies.
   std::size_t particles() const {

@@ -161,8 +161,9 @@ std::vector<Vec<2>> contact_forces(const RigidSurface& surface, const std::vecto
     const Memory memory = memories.of(points[i].id);
     const auto gap = surface.gap(points[i].x, memory.side);
     if (!gap || !(gap->size < points[i].reach)) continue;
-    const Vec<2> v = points[i].v - surface.velocity(points[i].x);
-    forces[i] = push(points[i], *gap, v, memory.slip, dt, contact);
+    const Vec<2> driven = surface.velocity(points[i].x);
+    forces[i] = push(points[i], *gap, points[i].v - driven, memory.slip, dt, contact);
+    contact.driving_work += dt * forces[i].dot(driven);
   }
   return forces;
 }

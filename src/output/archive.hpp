@@ -65,9 +65,9 @@ auto members(Part& part) {
                     angle_rate, velocity);
   } else if constexpr (is_rigid_contact<Plain>) {
     auto& [touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force, friction_force,
-           normal_sum, friction_sum, friction_work, damping_work] = part;
+           normal_sum, friction_sum, friction_work, damping_work, driving_work] = part;
     return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force,
-                    friction_force, normal_sum, friction_sum, friction_work, damping_work);
+                    friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work);
   } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
     auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);
@@ -76,6 +76,9 @@ auto members(Part& part) {
            steps, cycles, cycles_at_rest] = part;
     return std::tie(kinetic, kinetic_largest, out_of_balance_largest, initial_potential, kinetic_ratio,
                     out_of_balance_ratio, steps, cycles, cycles_at_rest);
+  } else if constexpr (std::is_same_v<Plain, EnergyBudget>) {
+    auto& [begun, stages, t, held, potential, fallen, driven] = part;
+    return std::tie(begun, stages, t, held, potential, fallen, driven);
   } else if constexpr (is_viscous_boundary<Plain>) {
     auto& [name, field, normal, length, half_size, inwards, impedance_p, impedance_s, spring, x, v, moved, at_start] =
         part;
@@ -89,9 +92,9 @@ auto members(Part& part) {
     return std::tie(name, x, v, initial_x, field, body);
   } else {
     auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation] = part;
+           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget] = part;
     return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-                    membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation);
+                    membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget);
   }
 }
 

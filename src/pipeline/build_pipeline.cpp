@@ -21,6 +21,7 @@
 #include "../kernels/transfer_stages.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
+#include "energy_watch.hpp"
 #include "pumps.hpp"
 #include "relaxation.hpp"
 #include "scene_stages.hpp"
@@ -79,6 +80,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   std::array<double, Dim> gravity;
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
   const Point g_vector = scene.gravity;
+  const double h = scene.grid.spacing;
 
   Pipeline<Dim> p;
   const auto add = [&p](bool wanted, std::string name, std::string flow, auto run) {
@@ -131,6 +133,7 @@ Pipeline<Dim> build_pipeline(const Scene& scene) {
   add(rigid_moves,   "move_rigid_bodies", "time -> pose and rates of rigid bodies",                    [rigid](S& s, Fields&, const C& c) { move_rigid_bodies(rigid, c.dt, s); });
   add(!pumps.empty(), "pumps",            "time -> mass, volume ratio",                                [pumps, g_vector](S& s, Fields&, const C& c) { pump_fluid(pumps, g_vector, c, s); });
   add(relaxes,       "kinetic_damping",   "kinetic energy -> velocities at its peaks",                 [relaxation, g_vector](S& s, Fields&, const C&) { damp_kinetically(relaxation, g_vector, s); });
+  add(watches_energy(scene) && driven.empty(), "energy_watch", "energies, every 50 steps -> end of a run that gains without cause", [g_vector, h](S& s, Fields&, const C& c) { watch_energy(g_vector, h, c, s); });
   // clang-format on
   return p;
 }
