@@ -13,7 +13,8 @@ void add_verify_options(CLI::App& command, VerifyArguments& arguments) {
   command.add_option("--only", arguments.only, "only cases whose name contains this");
   command.add_option("--output", arguments.output, "directory for verification.csv, pictures and runs")
       ->capture_default_str();
-  command.add_option("--page", arguments.page, "page whose part between the verify marks is written anew");
+  command.add_option("--page", arguments.page,
+                     "page whose part between the verify marks is written anew, its pictures beside it");
 }
 
 int run_verify(const VerifyArguments& arguments, int threads) {

@@ -8,6 +8,7 @@
 #include <geodrop/history.hpp>
 #include <numbers>
 
+#include "front_probe.hpp"
 #include "geotube_probe.hpp"
 #include "pressure_probe.hpp"
 #include "section_probe.hpp"
@@ -216,6 +217,12 @@ void list_plane_probe(Row& row, const Scene& scene, const ProbeSpec& spec, const
     row.add(section->name + ".soil_force_N_m", forces.soil);
     row.add(section->name + ".membrane_force_N_m", forces.membrane);
     row.add(section->name + ".net_force_N_m", forces.soil - forces.membrane);
+  }
+  if (const auto* front = std::get_if<FrontProbeSpec>(&spec.probe)) {
+    const HeapFronts fronts =
+        state ? heap_fronts(scene.grid, *front, find_named(state->bodies, front->body)) : HeapFronts{};
+    row.add(front->name + ".left_m", fronts.left);
+    row.add(front->name + ".right_m", fronts.right);
   }
   if (const auto* span = std::get_if<SpanProbeSpec>(&spec.probe)) {
     const SpanTension tension = state ? span_tension(scene, *span, *state) : SpanTension{};

@@ -255,6 +255,7 @@ ProbeSpec bind_probe(const Fields& f, SourceRef at) {
   if (f.text("type") == "span")
     return {SpanProbeSpec{f.text("name"), f.text("membrane"), f.point("from"), f.point("to")}, at};
   if (f.text("type") == "stress") return {StressProbeSpec{f.text("name"), f.text("body")}, at};
+  if (f.text("type") == "front") return {FrontProbeSpec{f.text("name"), f.text("body"), f.real("thickness")}, at};
   if (f.text("type") == "section") return {SectionProbeSpec{f.text("name"), f.text("body"), f.real("x")}, at};
   if (f.text("type") == "geotube")
     return {GeotubeProbeSpec{f.text("name"), f.text("membrane"), f.text("water"), f.real("water_level")}, at};

@@ -108,12 +108,13 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
     check_reference(key + ".body", stress->body, names_of(scene.bodies), "bodies", report);
     return;
   }
-  if (const auto* section = std::get_if<SectionProbeSpec>(&probe.probe)) {
-    check_reference(key + ".body", section->body, names_of(scene.bodies), "bodies", report);
+  const auto check_plane = [&](const std::string& body, const std::string& type) {
+    check_reference(key + ".body", body, names_of(scene.bodies), "bodies", report);
     if (report.healthy("dimension") && scene.dimension != 2)
-      report.add(key + ".type", "\"section\" in space", "sections in two dimensions");
-    return;
-  }
+      report.add(key + ".type", '"' + type + "\" in space", type + "s in two dimensions");
+  };
+  if (const auto* section = std::get_if<SectionProbeSpec>(&probe.probe)) return check_plane(section->body, "section");
+  if (const auto* front = std::get_if<FrontProbeSpec>(&probe.probe)) return check_plane(front->body, "front");
   const auto& tracer = std::get<TracerSpec>(probe.probe);
   if (!report.healthy(key) || !report.healthy("grid") || tracer.position.size() != scene.grid.lower.size()) return;
   for (std::size_t a = 0; a < tracer.position.size(); ++a) {

@@ -109,19 +109,29 @@ std::string read_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void draw(const std::vector<VerifyRow>& rows, const fs::path& directory) {
-  int number = 0;
-  for (const Chart& chart : work_precision_charts(rows))
-    write_chart(chart, directory / ("work_precision_" + std::to_string(++number) + ".svg"));
+/// Draws them into a directory; what a page beside it says of them, `path` being the directory as seen from the page.
+std::string draw(const std::vector<WorkPicture>& pictures, const fs::path& directory, const std::string& path) {
+  fs::create_directories(directory);
+  std::string links;
+  for (const WorkPicture& picture : pictures) {
+    const std::string file = picture.name + ".svg";
+    write_chart(picture.chart, directory / file);
+    links += (links.empty() ? "" : ", ") + ("[" + picture.name.substr(std::string("work_precision_").size()) + "](") +
+             path + file + ")";
+  }
+  return links.empty() ? "" : "\nError against wall time, particle-steps and memory: " + links + ".\n";
 }
 
 void write_results(const std::vector<VerifyRow>& rows, const VerifyOptions& options) {
   write_file_atomically(options.directory / "verification.csv", rows_csv(rows));
   write_file_atomically(options.directory / "verification_runs.csv", runs_csv(rows));
+  const std::vector<WorkPicture> pictures = work_precision_pictures(rows);
   const std::string text = rows_markdown(rows);
-  write_file_atomically(options.directory / "verification.md", text);
-  if (!options.page.empty()) write_file_atomically(options.page, with_generated_part(read_text(options.page), text));
-  draw(rows, options.directory);
+  write_file_atomically(options.directory / "verification.md", text + draw(pictures, options.directory, ""));
+  if (options.page.empty()) return;
+  const fs::path beside = options.page.parent_path() / options.page.stem();
+  const std::string links = draw(pictures, beside, options.page.stem().string() + "/");
+  write_file_atomically(options.page, with_generated_part(read_text(options.page), text + links));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 
 namespace geodrop {
@@ -10,11 +11,11 @@ namespace {
 /// As many as there are colours that the eye can tell apart.
 constexpr std::size_t curves_of_a_chart = 6;
 
-bool is_drawn(const VerifyRow& row) {
+std::size_t spacings_of(const VerifyRow& row) {
   std::set<double> spacings;
   for (std::size_t i = 0; i < row.runs.size(); ++i)
     if (row.errors[i] > 0) spacings.insert(row.runs[i]->spacing);
-  return !row.control && spacings.size() >= 3;
+  return row.control ? 0 : spacings.size();
 }
 
 ChartPanel panel(const std::vector<const VerifyRow*>& rows, const std::string& title, const std::string& label,
@@ -29,9 +30,11 @@ ChartPanel panel(const std::vector<const VerifyRow*>& rows, const std::string& t
   return panel;
 }
 
-Chart chart_of(const std::vector<const VerifyRow*>& rows) {
+using Rows = std::vector<const VerifyRow*>;
+
+Chart chart_of(const Rows& rows, const std::string& title) {
   constexpr double megabyte = 1e6;
-  return {"Error against work",
+  return {title,
           {panel(rows, "Wall time", "wall time [s]", [](const VariantRun& run) { return run.wall_seconds; }),
            panel(rows, "Particle-steps", "particles x steps [-]",
                  [](const VariantRun& run) { return run.particle_steps(); }),
@@ -42,17 +45,29 @@ Chart chart_of(const std::vector<const VerifyRow*>& rows) {
 
 }  // namespace
 
-std::vector<Chart> work_precision_charts(const std::vector<VerifyRow>& rows) {
-  std::vector<Chart> charts;
-  std::vector<const VerifyRow*> drawn;
-  for (const VerifyRow& row : rows)
-    if (is_drawn(row)) drawn.push_back(&row);
-  for (std::size_t first = 0; first < drawn.size(); first += curves_of_a_chart) {
-    const std::size_t end = std::min(drawn.size(), first + curves_of_a_chart);
-    charts.push_back(chart_of(
-        {drawn.begin() + static_cast<std::ptrdiff_t>(first), drawn.begin() + static_cast<std::ptrdiff_t>(end)}));
+std::vector<WorkPicture> work_precision_pictures(const std::vector<VerifyRow>& rows) {
+  std::map<std::string, Rows> of_scene;
+  std::set<std::string> fine;
+  for (const VerifyRow& row : rows) {
+    const std::size_t spacings = spacings_of(row);
+    if (spacings >= 3) of_scene[row.scene].push_back(&row);
+    if (spacings >= 4) fine.insert(row.scene);
   }
-  return charts;
+  std::vector<WorkPicture> pictures;
+  Rows others;
+  for (const auto& [scene, drawn] : of_scene) {
+    if (fine.contains(scene))
+      pictures.push_back({"work_precision_" + scene, chart_of(drawn, scene + ": error against work")});
+    else
+      others.insert(others.end(), drawn.begin(), drawn.end());
+  }
+  for (std::size_t first = 0, number = 1; first < others.size(); first += curves_of_a_chart, ++number) {
+    const auto begin = others.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(curves_of_a_chart, others.size() - first));
+    pictures.push_back(
+        {"work_precision_others_" + std::to_string(number), chart_of({begin, begin + count}, "Error against work")});
+  }
+  return pictures;
 }
 
 }  // namespace geodrop

@@ -4,11 +4,18 @@
 #include "judge.hpp"
 #include "plot/chart.hpp"
 
+#include <string>
 #include <vector>
 
 namespace geodrop {
 
-/// A picture for each handful of rows with errors at three or more spacings.
-std::vector<Chart> work_precision_charts(const std::vector<VerifyRow>& rows);
+struct WorkPicture {
+  std::string name;  ///< of its file, without ending
+  Chart chart;
+};
+
+/// A picture for each scene that has errors at four or more spacings, named after it, and one for each handful of rows
+/// of other scenes with three.
+std::vector<WorkPicture> work_precision_pictures(const std::vector<VerifyRow>& rows);
 
 }  // namespace geodrop

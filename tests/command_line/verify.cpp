@@ -52,7 +52,7 @@ TEST_CASE("Two resolutions and a control: rows, files, pictures, exit code 0") {
   CHECK(lines(runs) == 5);
   CHECK(contains(runs, "\"bar\",\"period_s\",\"fine\",0,0.625,"));
   CHECK(contains(read_file(directory / "results" / "verification.md"), "| bar | period, first | 10 s: 4 L "));
-  CHECK(std::filesystem::exists(directory / "results" / "work_precision_1.svg"));
+  CHECK(std::filesystem::exists(directory / "results" / "work_precision_others_1.svg"));
   CHECK(std::filesystem::exists(directory / "results" / "bar" / "3" / "summary.json"));
 }
 

@@ -170,7 +170,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].interface == Interface::mixture);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
-  REQUIRE(scene.probes.size() == 7);
+  REQUIRE(scene.probes.size() == 8);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
   const auto& still = std::get<HydrostaticProbeSpec>(scene.probes[1].probe);
   CHECK(still.name == "still");
@@ -182,6 +182,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(std::get<SectionProbeSpec>(scene.probes[4].probe) == SectionProbeSpec{"middle", "wedge", 2.0});
   CHECK(std::get<SpanProbeSpec>(scene.probes[5].probe) == SpanProbeSpec{"under", "mat", {1, 8}, {3, 8}});
   CHECK(std::get<StressProbeSpec>(scene.probes[6].probe) == StressProbeSpec{"squeeze", "bed"});
+  CHECK(std::get<FrontProbeSpec>(scene.probes[7].probe) == FrontProbeSpec{"heap", "bed", 0.02});
   REQUIRE(scene.stages.size() == 2);
   CHECK(scene.stages[0].damping_rate == 2);
   CHECK(scene.stages[0].damping_ramp == 0.01);

@@ -1,5 +1,6 @@
 // From runs to verdicts.
 #include "verify/judge.hpp"
+#include "verify/work_precision.hpp"
 
 #include <doctest/doctest.h>
 
@@ -97,6 +98,31 @@ TEST_CASE("The last run meets the target, or not; an order that is asked for cou
   CHECK(row.scene == "tower");
   CHECK(row.values == std::vector<double>{4.4, 4.1});
   CHECK(row.order == doctest::Approx(2));
+}
+
+TEST_CASE("A picture for each scene with four spacings, the others by the handful; none of controls") {
+  const auto rows_of = [](const std::vector<double>& spacings, const std::vector<VariantRun>& runs) {
+    std::vector<VerifyRow> rows(1);
+    rows[0].scene = "tower" + std::to_string(spacings.size());
+    for (std::size_t i = 0; i < spacings.size(); ++i) {
+      rows[0].runs.push_back(&runs[i]);
+      rows[0].errors.push_back(0.1);
+    }
+    return rows;
+  };
+  const std::vector<VariantRun> runs{run(0.4, 1), run(0.2, 2), run(0.1, 3), run(0.05, 4)};
+  std::vector<VerifyRow> rows = rows_of({0.4, 0.2, 0.1, 0.05}, runs);
+  for (int k = 0; k < 7; ++k) rows.push_back(rows_of({0.4, 0.2, 0.1}, runs)[0]);
+  rows.push_back(rows_of({0.4, 0.2}, runs)[0]);
+  rows.push_back(rows[0]);
+  rows.back().control = true;
+  const std::vector<WorkPicture> pictures = work_precision_pictures(rows);
+  REQUIRE(pictures.size() == 3);
+  CHECK(pictures[0].name == "work_precision_tower4");
+  CHECK(pictures[0].chart.panels[0].series.size() == 1);
+  CHECK(pictures[1].name == "work_precision_others_1");
+  CHECK(pictures[1].chart.panels[0].series.size() == 6);
+  CHECK(pictures[2].chart.panels[0].series.size() == 1);
 }
 
 TEST_CASE("A control is met if a target is missed by it, also by breaking, and does not count as a resolution") {

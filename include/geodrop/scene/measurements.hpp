@@ -28,6 +28,12 @@ struct HydrostaticProbeSpec {
 };
 /// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
 /// tension_max_N_m.
+struct FrontProbeSpec {
+  std::string name;
+  std::string body;
+  double thickness = 0;  ///< that a heap has at its front [m]
+  bool operator==(const FrontProbeSpec&) const = default;
+};
 struct SpanProbeSpec {
   std::string name;
   std::string membrane;
@@ -65,7 +71,7 @@ struct GeotubeProbeSpec {
 };
 struct ProbeSpec {
   std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
-               StressProbeSpec>
+               StressProbeSpec, FrontProbeSpec>
       probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
