@@ -13,7 +13,7 @@ namespace geodrop {
 struct VariantRun {
   std::string name;
   bool control = false;  ///< broken on purpose
-  double spacing = 0;    ///< of the grid [m]
+  double spacing = 0;    ///< of the finest cells [m]
   double particles = 0, steps = 0;
   double wall_seconds = 0;
   double bytes = 0;  ///< of all particles

@@ -1,5 +1,6 @@
 // Finds the cases, runs their variants one after the other, reports.
 #include <geodrop/error.hpp>
+#include <geodrop/graded_axis.hpp>
 #include <geodrop/run.hpp>
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/stop_signal.hpp>
@@ -66,7 +67,7 @@ VariantRun run_variant(const Scene& scene, const VariantSpec& variant, const Run
   VariantRun run;
   run.name = variant.name;
   run.control = variant.control;
-  run.spacing = scene.grid.spacing;
+  run.spacing = finest_spacing(scene.grid);
   RunOutcome outcome;
   try {
     outcome = perform_run(scene, options);

@@ -71,6 +71,17 @@ TEST_CASE("Quick leaves the runs of full out, and gives the same state on two th
   CHECK(last_hash(one) == last_hash(two));
 }
 
+TEST_CASE("A graded grid counts as that of its finest cells") {
+  const geodrop::TemporaryDirectory directory;
+  const std::string scene = bar(directory, "0.0005"), output = directory / "results";
+  std::ofstream(scene, std::ios::app)
+      << "\n[[variants]]\nname = \"graded\"\nset = [\"grid.spacing=1.25\", \"grid.refine=[{axis='x', from=5.0, "
+         "to=10.0, spacing=0.625}]\"]\n";
+  run_program({"verify", scene, "--threads", "1", "--output", output});
+  CHECK(contains(read_file(directory / "results" / "verification_runs.csv"),
+                 "\"graded\",0,0.624"));  // 0.625 scaled a little
+}
+
 TEST_CASE("A target that is missed is exit code 1, unless the scene says why") {
   const geodrop::TemporaryDirectory directory;
   const std::string output = directory / "results";
