@@ -24,7 +24,7 @@ double driving_work(const State<Dim>& state) {
   throw RunError("energy grows without cause: motion and strain hold " + format_number(held, 4) +
                  " J, but the start, gravity and moving bodies gave " + format_number(budget, 4) +
                  " J; in order until t = " + format_number(t_before, 6) +
-                 " s, frames up to then are good. A smaller solver.courant, solver.transfer = \"tpic\" or a larger "
+                 " s, frames up to then are good. A smaller solver.courant, solver.transfer tpic or a larger "
                  "solver.blend_rate may cure it");
 }
 
