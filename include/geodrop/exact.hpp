@@ -56,8 +56,19 @@ struct GeneralizedVortex {
   double rigidity;            ///< mu / rho [m2/s2]
 };
 
+/// An incompressible drop of radius R about the origin, drawn towards it by -B^2 x per mass, that starts with v = A0
+/// (x, -y): it stays an ellipse of the semi-axes a R, R/a, v = A (x, -y) with A = a'/a, and the energy sum (A^2 + B^2)
+/// (a^2 + 1/a^2) of its motion stays 2 (A0^2 + B^2). Through `body_force`; free at its surface (2D).
+struct OscillatingDrop {
+  double rate;                   ///< A0 [1/s]
+  double frequency;              ///< B [rad/s]
+  double radius;                 ///< R [m]
+  double density, bulk_modulus;  ///< [kg/m3], [Pa]
+};
+
 template <int Dim>
-using ExactSolution = std::variant<AxisAlignedMms, TaylorGreen, UniformMotion<Dim>, BarFirstMode, GeneralizedVortex>;
+using ExactSolution =
+    std::variant<AxisAlignedMms, TaylorGreen, UniformMotion<Dim>, BarFirstMode, GeneralizedVortex, OscillatingDrop>;
 
 /// The material must be one that the solution is of (the scene is checked for that).
 template <int Dim>
@@ -82,11 +93,24 @@ ExactPoint<Dim> exact_point(const ExactSolution<Dim>& solution, const Vec<Dim>& 
 template <int Dim>
 double pressure(const TaylorGreen& flow, const Vec<Dim>& x, double t);
 
+/// Stretch a [-] of the drop at time t and its rate A [1/s], by Runge-Kutta steps of the fourth order.
+struct DropShape {
+  double stretch, rate;
+};
+DropShape shape_at(const OscillatingDrop& drop, double t);
+
+/// Pressure of the drop [Pa], 0 beyond its surface.
+template <int Dim>
+double pressure(const OscillatingDrop& drop, const Vec<Dim>& x, double t);
+
 /// Force per mass [m/s2] that makes a neo-Hookean body follow the solution.
 template <int Dim>
 Vec<Dim> body_force(const AxisAlignedMms& mms, const Vec<Dim>& X, double t);
 template <int Dim>
 Vec<Dim> body_force(const GeneralizedVortex& vortex, const Vec<Dim>& X, double t);
+/// That of the drop pulls at where a particle is, x.
+template <int Dim>
+Vec<Dim> body_force(const OscillatingDrop& drop, const Vec<Dim>& x, double t);
 
 /// What errors are divided by: the largest velocity (TaylorGreen: the rms one at time t; UniformMotion: the wave speed)
 /// [m/s], and the largest strain [-] (1 if there is none).

@@ -6,19 +6,24 @@
 #include <geodrop/types.hpp>
 
 #include <array>
+#include <limits>
 #include <variant>
 
 namespace geodrop {
 
 /// p = K (1/J - 1), deviator 2 (mu + mu_t) dev(D). J = rho0 / rho. Eddies smaller than the mixing length l mix as
-/// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963).
+/// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963). Water that cavitates keeps p = -T however
+/// far it opens: p is a function of J all the same, so that voids close again without a loss of volume.
 struct Newtonian {
-  double density;            ///< rho0 [kg/m3]
-  double bulk_modulus;       ///< K [Pa]
-  double viscosity;          ///< mu [Pa s]
-  double mixing_length = 0;  ///< l [m]; 0: no eddies
+  double density;                                                   ///< rho0 [kg/m3]
+  double bulk_modulus;                                              ///< K [Pa]
+  double viscosity;                                                 ///< mu [Pa s]
+  double mixing_length = 0;                                         ///< l [m]; 0: no eddies
+  double tension_cutoff = std::numeric_limits<double>::infinity();  ///< T [Pa]
 
   bool viscous() const { return viscosity > 0 || mixing_length > 0; }
+  /// At J = infinity p = -K.
+  bool cavitates() const { return tension_cutoff < bulk_modulus; }
 };
 
 /// Isotropic hypoelasticity in Cauchy stress.
@@ -68,6 +73,10 @@ double impedance(const Material& material);
 
 /// Speed of elastic shear waves at zero strain [m/s]; 0 in a fluid.
 double shear_wave_speed(const Material& material);
+
+/// Pressure of a fluid [Pa] and its energy per volume at zero pressure [J/m3], whose slope -dW/dJ is the pressure.
+double fluid_pressure(const Newtonian& fluid, double J);
+double fluid_energy(const Newtonian& fluid, double J);
 
 /// Kinematic viscosity that limits the explicit time step [m2/s]; 0 for solids.
 double kinematic_viscosity(const Material& material);

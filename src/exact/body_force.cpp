@@ -3,6 +3,8 @@
 #include "../kernels/kernels.hpp"
 #include "../kernels/slabs.hpp"
 
+#include <type_traits>
+
 namespace geodrop {
 
 template <int Dim>
@@ -14,11 +16,16 @@ std::vector<DrivenBody> driven_bodies(const Scene& scene) {
       const ExactSolution<Dim> solution = exact_solution<Dim>(scene, spec.body);
       if (const auto* mms = std::get_if<AxisAlignedMms>(&solution)) driven.push_back({b, *mms});
       if (const auto* vortex = std::get_if<GeneralizedVortex>(&solution)) driven.push_back({b, *vortex});
+      if (const auto* drop = std::get_if<OscillatingDrop>(&solution)) driven.push_back({b, *drop});
     }
   return driven;
 }
 
 namespace {
+
+/// Whether a force depends on where a particle is, not on where it was.
+template <class Solution>
+constexpr bool by_place = std::is_same_v<Solution, OscillatingDrop>;
 
 /// Force per mass of each particle times `factor`.
 template <int Dim, class Solution>
@@ -28,7 +35,8 @@ void set_force(const Solution& solution, const Body<Dim>& body, double t, double
   for (auto& component : force) component.resize(body.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t p = 0; p < n; ++p) {
-    const Vec<Dim> b = body_force<Dim>(solution, vector_at(body.initial_x, body.id[p]), t);
+    const Vec<Dim> at = by_place<Solution> ? vector_at(body.x, p) : vector_at(body.initial_x, body.id[p]);
+    const Vec<Dim> b = body_force<Dim>(solution, at, t);
     for (int a = 0; a < Dim; ++a) force[a][p] = factor * b[a];
   }
 }

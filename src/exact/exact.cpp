@@ -58,6 +58,12 @@ ExactSolution<Dim> make(const GeneralizedVortexSpec& spec, const Material& mater
                            solid.shear_modulus / solid.density};
 }
 
+template <int Dim>
+ExactSolution<Dim> make(const OscillatingDropSpec& spec, const Material& material) {
+  const auto& fluid = std::get<Newtonian>(material);
+  return OscillatingDrop{spec.rate, spec.frequency, spec.radius, fluid.density, fluid.bulk_modulus};
+}
+
 // --- Of one point ------------------------------------------------------------------------------
 
 struct AlongAxis {
@@ -164,7 +170,44 @@ ExactPoint<Dim> point(const GeneralizedVortex& vortex, const Vec<Dim>& X, const 
   return out;
 }
 
+/// a'' of the drop at the stretch a that changes at the speed a', from rho (a'' + B^2 a) a = 2 P = rho (b'' + B^2 b) b
+/// with b = 1/a and the pressure P (1 - (x/a)^2 - (y/b)^2) / R^2.
+double acceleration(const OscillatingDrop& drop, double a, double speed) {
+  const double a2 = a * a, b2 = drop.frequency * drop.frequency;
+  return (2 * speed * speed / (a2 * a2) + b2 * (1 / a2 - a2)) / (a + 1 / (a2 * a));
+}
+
+template <int Dim>
+ExactPoint<Dim> point(const OscillatingDrop& drop, const Vec<Dim>& X, const Vec<Dim>& x, double t) {
+  const DropShape now = shape_at(drop, t);
+  ExactPoint<Dim> out;
+  out.displacement[0] = (now.stretch - 1) * X[0];
+  out.displacement[1] = (1 / now.stretch - 1) * X[1];
+  out.velocity[0] = now.rate * x[0];
+  out.velocity[1] = -now.rate * x[1];
+  out.velocity_gradient(0, 0) = now.rate;
+  out.velocity_gradient(1, 1) = -now.rate;
+  out.volume_ratio = 1 / (1 + pressure<Dim>(drop, x, t) / drop.bulk_modulus);
+  return out;
+}
+
 }  // namespace
+
+DropShape shape_at(const OscillatingDrop& drop, double t) {
+  constexpr double largest_angle = 0.02;  // rad a step: 1e-9 of the stretch over a period
+  const int steps = static_cast<int>(std::ceil(t * std::max(drop.frequency, std::abs(drop.rate)) / largest_angle));
+  double a = 1, speed = drop.rate;
+  for (int n = 0; n < steps; ++n) {
+    const double dt = t / steps;
+    const double k1 = acceleration(drop, a, speed);
+    const double v2 = speed + dt / 2 * k1, k2 = acceleration(drop, a + dt / 2 * speed, v2);
+    const double v3 = speed + dt / 2 * k2, k3 = acceleration(drop, a + dt / 2 * v2, v3);
+    const double v4 = speed + dt * k3, k4 = acceleration(drop, a + dt * v3, v4);
+    a += dt / 6 * (speed + 2 * v2 + 2 * v3 + v4);
+    speed += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return {a, speed / a};
+}
 
 template <int Dim>
 ExactSolution<Dim> make_exact(const ExactSpec& spec, const Material& material) {
@@ -189,6 +232,14 @@ template <int Dim>
 double pressure(const TaylorGreen& flow, const Vec<Dim>& x, double t) {
   const double k = flow.wave_number, u = speed_at(flow, t);
   return flow.density * u * u / 4 * (std::cos(2 * k * x[0]) + std::cos(2 * k * x[1]));
+}
+
+template <int Dim>
+double pressure(const OscillatingDrop& drop, const Vec<Dim>& x, double t) {
+  const auto [a, rate] = shape_at(drop, t);
+  const double speed = a * rate, R2 = drop.radius * drop.radius;
+  const double twice = (acceleration(drop, a, speed) + drop.frequency * drop.frequency * a) * a * R2;
+  return drop.density / 2 * twice * std::max(0.0, 1 - (x[0] * x[0] / (a * a) + x[1] * x[1] * a * a) / R2);
 }
 
 /// rho0 (u'' - b) = dP/dX along each axis. With F diagonal P_a = mu (F_a - 1/F_a) + lambda ln J / F_a, of which along
@@ -226,12 +277,19 @@ Vec<Dim> body_force(const GeneralizedVortex& vortex, const Vec<Dim>& X, double t
 }
 
 template <int Dim>
+Vec<Dim> body_force(const OscillatingDrop& drop, const Vec<Dim>& x, double) {
+  return -drop.frequency * drop.frequency * x;
+}
+
+template <int Dim>
 double velocity_scale(const ExactSolution<Dim>& solution, double t) {
   if (const auto* mms = std::get_if<AxisAlignedMms>(&solution)) return mms->amplitude * mms->frequency;
   if (const auto* bar = std::get_if<BarFirstMode>(&solution)) return std::abs(bar->amplitude);
   if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution)) return motion->wave_speed;
   if (const auto* vortex = std::get_if<GeneralizedVortex>(&solution))
     return std::abs(vortex->angle) * vortex->frequency * vortex->radius;
+  if (const auto* drop = std::get_if<OscillatingDrop>(&solution))
+    return drop->radius * std::hypot(drop->rate, drop->frequency);
   return speed_at(std::get<TaylorGreen>(solution), t) / std::numbers::sqrt2;
 }
 
@@ -251,8 +309,10 @@ double strain_scale(const ExactSolution<Dim>& solution) {
   template ExactSolution<D> exact_solution<D>(const Scene&, const std::string&);                        \
   template ExactPoint<D> exact_point<D>(const ExactSolution<D>&, const Vec<D>&, const Vec<D>&, double); \
   template double pressure<D>(const TaylorGreen&, const Vec<D>&, double);                               \
+  template double pressure<D>(const OscillatingDrop&, const Vec<D>&, double);                           \
   template Vec<D> body_force<D>(const AxisAlignedMms&, const Vec<D>&, double);                          \
   template Vec<D> body_force<D>(const GeneralizedVortex&, const Vec<D>&, double);                       \
+  template Vec<D> body_force<D>(const OscillatingDrop&, const Vec<D>&, double);                         \
   template double velocity_scale<D>(const ExactSolution<D>&, double);                                   \
   template double strain_scale<D>(const ExactSolution<D>&);
 GEODROP_INSTANTIATE(2)

@@ -21,6 +21,17 @@ template <int Dim>
   throw RunError(text.str());
 }
 
+template <int Dim>
+[[noreturn]] void throw_crushed(const State<Dim>& state, const Body<Dim>& body, std::size_t p) {
+  std::ostringstream text;
+  text << "stage sort_particles: body '" << body.name << "', particle id " << body.id[p]
+       << " has no volume left (J = " << body.J[p] << ", x =";
+  for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
+  text << ") at t = " << state.t << " s, step " << state.step
+       << ": it was squeezed to nothing or turned inside out; see the last frame";
+  throw RunError(text.str());
+}
+
 /// Number of base cells along each axis when every slab is complete: keys are dense in (slab, cell of slab).
 template <int Dim>
 struct KeySpace {
@@ -50,8 +61,8 @@ void find_keys(const State<Dim>& state, const Body<Dim>& body, const GridLayout<
                const KeySpace<Dim>& space, Array<std::uint32_t>& keys) {
   const auto n = static_cast<std::ptrdiff_t>(body.size());
   keys.resize(body.size());
-  std::ptrdiff_t bad = n;
-#pragma omp parallel for schedule(static) reduction(min : bad)
+  std::ptrdiff_t bad = n, crushed = n;
+#pragma omp parallel for schedule(static) reduction(min : bad, crushed)
   for (std::ptrdiff_t p = 0; p < n; ++p) {
     std::array<int, Dim> base;
     bool inside = true;
@@ -61,8 +72,10 @@ void find_keys(const State<Dim>& state, const Body<Dim>& body, const GridLayout<
       base[a] = inside ? layout.base(a, x) : 0;
     }
     if (!inside) bad = std::min(bad, p);
+    if (!(body.J[p] > 0)) crushed = std::min(crushed, p);
     keys[p] = space.key(layout, base);
   }
+  if (crushed != n) throw_crushed(state, body, static_cast<std::size_t>(crushed));
   if (bad != n) throw_outside(state, body, static_cast<std::size_t>(bad));
 }
 

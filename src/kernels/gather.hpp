@@ -143,37 +143,40 @@ void shift_chunk(Body<Dim>& body, const ChunkRates<Dim>& rates, double h, double
 struct Maxima {
   double speed2 = 0;
   double displacement = 0;
-  bool outside = false;  ///< a particle is not a point of the domain
+  bool lost = false;  ///< a particle is not a point of the domain, or has no volume left
 };
 
 /// Keeps particles on the domain's side of walls that round-off carried them across and collects maxima. What is
-/// farther off falls due to sort_particles, which reports it or takes it across a periodic wall. `old_x` is the
-/// position before the step.
+/// farther off falls due to sort_particles, which reports it or takes it across a periodic wall, and so does what has
+/// been turned inside out. `old_x` is the position before the step.
 template <int Dim>
 void finish_chunk(Body<Dim>& body, const GridLayout<Dim>& layout, const double (&old_x)[Dim][chunk_size], std::size_t p,
                   int count, Maxima& maxima) {
   const double round_off = 1e-9 * layout.h;
   alignas(64) double speed2[chunk_size] = {};
   double displacement = maxima.displacement;
-  int outside = 0;
+  int lost = 0;
+  const double* const J = body.J.data() + p;
+#pragma omp simd reduction(| : lost)
+  for (int k = 0; k < count; ++k) lost |= !(J[k] > 0);
   for (int a = 0; a < Dim; ++a) {
     double* const x = body.x[a].data() + p;
     const double* const v = body.v[a].data() + p;
     const double lower = layout.particle_lower[a], upper = layout.particle_upper[a];
-#pragma omp simd reduction(max : displacement) reduction(| : outside)
+#pragma omp simd reduction(max : displacement) reduction(| : lost)
     for (int k = 0; k < count; ++k) {
       double moved = x[k];
       moved = moved < lower && moved > lower - round_off ? lower : moved;
       moved = moved > upper && moved < upper + round_off ? upper : moved;
       x[k] = moved;
-      outside |= !(moved >= lower && moved <= upper);
+      lost |= !(moved >= lower && moved <= upper);
       const double distance = __builtin_fabs(moved - old_x[a][k]);
       displacement = distance > displacement ? distance : displacement;
       speed2[k] += v[k] * v[k];
     }
   }
   maxima.displacement = displacement;
-  maxima.outside = maxima.outside || outside != 0;
+  maxima.lost = maxima.lost || lost != 0;
   double largest = 0;
   int broken = 0;
 #pragma omp simd reduction(max : largest) reduction(| : broken)

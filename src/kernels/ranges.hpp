@@ -98,8 +98,8 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     if constexpr (is_graded<Basis>)
       if (body.shift) scale_to_spans<Dim>(weights, grid.layout.inv_h, count, rates);
     if (body.shift) shift_chunk(body, rates, grid.layout.h, options.dt, p, count);
-    finish_chunk(body, grid.layout, old_x, p, count, maxima);
     strain_chunk<Dim>(body, rates, options.dt, p, count);
+    finish_chunk(body, grid.layout, old_x, p, count, maxima);
   }
   _mm_sfence();  // streamed stores reach the other threads before what comes after
   return maxima;

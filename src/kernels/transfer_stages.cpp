@@ -129,8 +129,8 @@ void grid_to_particles(const SolverSpec& solver, State<Dim>& state, Grids<Dim>& 
     for_each_task(body, [&](std::ptrdiff_t task, std::size_t begin, std::size_t end) {
       const Maxima maxima = gather<Dim>(body, grid, options, begin, end);
       grid.chunk_maxima[2 * task] = std::sqrt(maxima.speed2);
-      // A particle outside makes the next sort due, which then names it.
-      grid.chunk_maxima[2 * task + 1] = maxima.outside ? std::numeric_limits<double>::infinity() : maxima.displacement;
+      // A particle that is lost makes the next sort due, which then names it.
+      grid.chunk_maxima[2 * task + 1] = maxima.lost ? std::numeric_limits<double>::infinity() : maxima.displacement;
     });
     for (std::ptrdiff_t task = 0; task < tasks; ++task) {
       const double speed = grid.chunk_maxima[2 * task];

@@ -22,7 +22,7 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 double confined_modulus(double bulk, double shear) { return bulk + 4.0 / 3.0 * shear; }
 
 Newtonian make(const NewtonianSpec& spec) {
-  return {spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length};
+  return {spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length, spec.tension_cutoff};
 }
 
 LinearElastic make(const LinearElasticSpec& spec) {
@@ -87,6 +87,17 @@ double shear_wave_speed(const Material& material) {
     return 0.0;
   };
   return std::visit([&](const auto& law) { return std::sqrt(shear_modulus(law) / law.density); }, material);
+}
+
+double fluid_pressure(const Newtonian& fluid, double J) {
+  return std::max(fluid.bulk_modulus * (1 / J - 1), -fluid.tension_cutoff);
+}
+
+double fluid_energy(const Newtonian& fluid, double J) {
+  const double torn = fluid.cavitates() ? 1 / (1 - fluid.tension_cutoff / fluid.bulk_modulus) : J;
+  const double elastic = std::min(J, torn);
+  const double stored = fluid.bulk_modulus * ((elastic - 1) - std::log1p(elastic - 1));
+  return J > torn ? stored + fluid.tension_cutoff * (J - torn) : stored;
 }
 
 double kinematic_viscosity(const Material& material) {

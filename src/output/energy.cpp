@@ -22,12 +22,10 @@ void add_mass(Totals<Dim>& sums, double mass, const std::array<Array<double>, Di
   }
 }
 
-/// W = K (J - 1 - ln J) per reference volume: its slope -dW/dJ is the pressure K (1/J - 1). A viscous stress stores
-/// nothing.
+/// A viscous stress stores nothing.
 template <int Dim>
 double strain_energy(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
-  const double J = body.J[p];
-  return body.mass[p] / fluid.density * fluid.bulk_modulus * ((J - 1) - std::log1p(J - 1));
+  return body.mass[p] / fluid.density * fluid_energy(fluid, body.J[p]);
 }
 
 /// p^2 / 2K + s:s / 4G per current volume; in soil p and s are effective stresses.

@@ -8,6 +8,7 @@
 #include <geodrop/history.hpp>
 #include <numbers>
 
+#include "extremes_probe.hpp"
 #include "front_probe.hpp"
 #include "geotube_probe.hpp"
 #include "pressure_probe.hpp"
@@ -209,6 +210,14 @@ void list_stress_spread(Row& row, const std::string& name, const Body<Dim>* body
     row.add(name + ".vertical_stress_" + column + "_Pa", body ? percentile(stress, percent) : 0.0);
 }
 
+void list_extremes(Row& row, const std::string& name, const Extremes& extremes) {
+  row.add(name + ".volume_min_ratio", extremes.volume_min);
+  row.add(name + ".volume_max_ratio", extremes.volume_max);
+  row.add(name + ".pressure_min_Pa", extremes.pressure_min);
+  row.add(name + ".pressure_max_Pa", extremes.pressure_max);
+  row.add(name + ".tension_max_Pa", extremes.tension);
+}
+
 void list_plane_probe(Row& row, const Scene& scene, const ProbeSpec& spec, const State<2>* state) {
   if (const auto* tube = std::get_if<GeotubeProbeSpec>(&spec.probe))
     for (const auto& [name, value] : geotube_columns(scene, *tube, state)) row.add(tube->name + "." + name, value);
@@ -259,6 +268,8 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
                           state ? pressure_spread(scene, *probe, *state) : PressureSpread{});
     if (const auto* probe = std::get_if<StressProbeSpec>(&spec.probe))
       list_stress_spread<Dim>(row, probe->name, state ? &find_named(state->bodies, probe->body) : nullptr);
+    if (const auto* probe = std::get_if<ExtremesProbeSpec>(&spec.probe))
+      list_extremes(row, probe->name, state ? extremes_of(find_named(state->bodies, probe->body)) : Extremes{});
     if constexpr (Dim == 2) list_plane_probe(row, scene, spec, state);
     if (const auto* probe = std::get_if<ExactProbeSpec>(&spec.probe))
       list_exact_error(row, probe->name, *find_exact(scene, probe->body),

@@ -94,17 +94,32 @@ double surface_speed(const State<Dim>& state) {
   return speed;
 }
 
+/// Says where the first velocity is that is not finite.
+template <int Dim>
+[[noreturn]] void throw_not_finite(const State<Dim>& state) {
+  std::ostringstream text;
+  text << "a velocity is not finite after step " << state.step << ", t = " << state.t << " s";
+  const auto broken = [](const Body<Dim>& body, std::size_t p) {
+    return std::any_of(body.v.begin(), body.v.end(), [&](const auto& v) { return !std::isfinite(v[p]); });
+  };
+  for (const Body<Dim>& body : state.bodies)
+    for (std::size_t p = 0; p < body.size(); ++p)
+      if (broken(body, p)) {
+        text << ": body '" << body.name << "', particle id " << body.id[p] << " (J = " << body.J[p] << ", x =";
+        for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
+        text << ')';
+        throw RunError(text.str() + "; the last frame is kept");
+      }
+  throw RunError(text.str() + "; the last frame is kept");
+}
+
 }  // namespace
 
 /// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h) (design.md section 2); viscosity: dt <= h^2 / (2 d
 /// nu); h is the finest cell's.
 template <int Dim>
 double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<Dim>& layout) {
-  if (!std::isfinite(state.v_max)) {
-    std::ostringstream text;
-    text << "a velocity is not finite after step " << state.step << ", t = " << state.t << " s; the last frame is kept";
-    throw RunError(text.str());
-  }
+  if (!std::isfinite(state.v_max)) throw_not_finite(state);
   double c2 = 0, membrane2 = 0, nu = 0;
   for (const Body<Dim>& body : state.bodies) {
     c2 = std::max(c2, wave_speed_squared(body));

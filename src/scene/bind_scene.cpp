@@ -101,7 +101,7 @@ NewtonianSpec bind_newtonian(const Fields& f) {
   const double density = f.real("density");
   const double c = f.real("sound_speed");
   return {density, f.has("sound_speed") ? density * c * c : f.real("bulk_modulus"), f.real("viscosity"),
-          f.real("mixing_length")};
+          f.real("mixing_length"), f.real("tension_cutoff")};
 }
 
 UndrainedSpec bind_pores(const Fields& f) {
@@ -242,6 +242,8 @@ ExactSpec bind_exact(const Fields& f, SourceRef at) {
     return {body, GeneralizedVortexSpec{f.real("angle"), f.real("radius"), f.real("half_width"), f.real("frequency")},
             at};
   }
+  if (type == "oscillating_drop")
+    return {body, OscillatingDropSpec{f.real("rate"), f.real("frequency"), f.real("radius")}, at};
   return {body, AxisAlignedMmsSpec{f.real("amplitude"), f.real("length")}, at};
 }
 
@@ -256,6 +258,7 @@ ProbeSpec bind_probe(const Fields& f, SourceRef at) {
     return {SpanProbeSpec{f.text("name"), f.text("membrane"), f.point("from"), f.point("to")}, at};
   if (f.text("type") == "stress") return {StressProbeSpec{f.text("name"), f.text("body")}, at};
   if (f.text("type") == "front") return {FrontProbeSpec{f.text("name"), f.text("body"), f.real("thickness")}, at};
+  if (f.text("type") == "extremes") return {ExtremesProbeSpec{f.text("name"), f.text("body")}, at};
   if (f.text("type") == "section") return {SectionProbeSpec{f.text("name"), f.text("body"), f.real("x")}, at};
   if (f.text("type") == "geotube")
     return {GeotubeProbeSpec{f.text("name"), f.text("membrane"), f.text("water"), f.real("water_level")}, at};

@@ -82,6 +82,20 @@ void check_enclosed(const Scene& scene, const BodySpec& body, const std::string&
     refuse("with gravity " + to_text(scene.gravity), "enclosed with gravity along the vertical axis");
 }
 
+/// Enclosed fluids, silent sides and sharp interfaces move J towards that of a pressure, which cavities have none of.
+void check_cavities(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+  if (!fluid || !(fluid->tension_cutoff < fluid->bulk_modulus)) return;
+  const bool silent = std::any_of(scene.silent_sides.begin(), scene.silent_sides.end(),
+                                  [&](const SilentSideSpec& side) { return side.body == body.name; });
+  const bool sharp = std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                                 [](const MembraneSpec& membrane) { return membrane.interface == Interface::sharp; });
+  if (silent || sharp || body.pressure == PressureSupport::enclosed)
+    report.add(key + ".material", '"' + body.material + "\", which has a tension_cutoff",
+               "a fluid without one, with an enclosed pressure, a silent side or a sharp interface");
+}
+
 void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   if (!report.healthy("grid.basis") || !report.healthy(key + ".pressure")) return;
   const bool simplex = is_simplex(scene.grid.basis);
@@ -117,6 +131,8 @@ void check_bodies(const Scene& scene, Report& report) {
     check_shift(scene, scene.bodies[i], key, report);
     check_pressure(scene, scene.bodies[i], key, report);
     check_velocity(scene, scene.bodies[i], key + ".initial_velocity", report);
+    if (report.healthy(key) && report.healthy("materials") && report.healthy("membranes"))
+      check_cavities(scene, scene.bodies[i], key, report);
     if (report.healthy("grid") && report.healthy("dimension") && report.healthy("gravity") &&
         report.healthy("membranes") && report.healthy(key))
       check_enclosed(scene, scene.bodies[i], key, report);

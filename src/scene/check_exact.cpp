@@ -13,10 +13,15 @@ bool is_driven(const ExactSpec& exact) {
          std::holds_alternative<GeneralizedVortexSpec>(exact.solution);
 }
 
+bool is_water(const ExactSpec& exact) {
+  return std::holds_alternative<TaylorGreenSpec>(exact.solution) ||
+         std::holds_alternative<OscillatingDropSpec>(exact.solution);
+}
+
 /// What a solution is of, in the scene's words.
 const char* models_of(const ExactSpec& exact) {
   if (is_driven(exact)) return "neo_hookean";
-  if (std::holds_alternative<TaylorGreenSpec>(exact.solution)) return "newtonian";
+  if (is_water(exact)) return "newtonian";
   return std::holds_alternative<BarFirstModeSpec>(exact.solution) ? "linear_elastic" : "linear_elastic or neo_hookean";
 }
 
@@ -42,6 +47,8 @@ void check_solution(const Scene& scene, const ExactSpec& exact, const std::strin
     report.add(key + ".amplitude", to_text(mms->amplitude),
                "less than length / (2 pi) = " + to_text(mms->length / (2 * std::numbers::pi)) +
                    " [m], so that nothing turns inside out");
+  if (std::holds_alternative<OscillatingDropSpec>(exact.solution) && scene.dimension != 2)
+    report.add(key + ".type", "\"oscillating_drop\" in space", "with dimension = 2");
   const auto* vortex = std::get_if<GeneralizedVortexSpec>(&exact.solution);
   if (vortex && report.healthy(key + ".radius") && report.healthy(key + ".half_width") &&
       vortex->half_width >= vortex->radius)

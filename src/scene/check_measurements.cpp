@@ -108,6 +108,10 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
     check_reference(key + ".body", stress->body, names_of(scene.bodies), "bodies", report);
     return;
   }
+  if (const auto* extremes = std::get_if<ExtremesProbeSpec>(&probe.probe)) {
+    check_reference(key + ".body", extremes->body, names_of(scene.bodies), "bodies", report);
+    return;
+  }
   const auto check_plane = [&](const std::string& body, const std::string& type) {
     check_reference(key + ".body", body, names_of(scene.bodies), "bodies", report);
     if (report.healthy("dimension") && scene.dimension != 2)

@@ -34,6 +34,7 @@ constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart)
                       [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
 constexpr Range depth_range{"> 0; inf: no spring", [](double x) { return x > 0; }, true};
+constexpr Range suction_range{">= 0; inf: any tension", [](double x) { return x >= 0; }, true};
 constexpr Range rest_range{"> 0; inf: never", [](double x) { return x > 0; }, true};
 constexpr Range beyond_range{"> 0; inf: it stands still", [](double x) { return x > 0; }, true};
 constexpr Range slack_range{"> -1", [](double x) { return x > -1; }};
@@ -107,8 +108,8 @@ constexpr Section sections[] = {
     {"pumps", "[[pumps]]", "body",
      "Pumps: each particle of a body of newtonian material gains mass at the same relative rate."},
     {"exact", "[[exact]]", "body",
-     "Exact solutions that bodies follow; the formulas stand in include/geodrop/exact.hpp. `axis_aligned_mms` and "
-     "`generalized_vortex` come with the body force that they need."},
+     "Exact solutions that bodies follow; the formulas stand in include/geodrop/exact.hpp. `axis_aligned_mms`, "
+     "`generalized_vortex` and `oscillating_drop` come with the body force that they need."},
     {"probes", "[[probes]]", "name", "What is measured beside the standard columns of history.csv."},
     {"results", "[[results]]", "name", "Numbers that a run ends with: a column of history.csv reduced to one value."},
     {"expect", "[[expect]]", "result", "What a result should be, and says who; a run prints both side by side."},
@@ -195,6 +196,7 @@ constexpr Key keys[] = {
     {"materials", "sound_speed", real, "m/s", "model=newtonian", instead_of("bulk_modulus"), positive, "c, gives K = rho0 c^2; may be reduced where its error is known"},
     {"materials", "viscosity", real, "Pa s", "model=newtonian", required, not_negative, "dynamic viscosity"},
     {"materials", "mixing_length", real, "m", "model=newtonian", standard("0.0"), not_negative, "l of eddies that the grid does not resolve: they add rho l^2 sqrt(2 D:D) to the viscosity; 0: none. A length of the flow, not of the grid"},
+    {"materials", "tension_cutoff", real, "Pa", "model=newtonian", standard("inf"), suction_range, "largest suction that the fluid bears, p >= -tension_cutoff: beyond it voids open, which close again without a loss of volume; inf: it is never torn. Not for bodies with pressure = \"enclosed\", a silent side, or beside a sharp interface"},
     {"materials", "youngs_modulus", real, "Pa", "model=linear_elastic|mohr_coulomb|neo_hookean", required, positive, "Young's modulus (of the skeleton; neo_hookean: at small strain)"},
     {"materials", "poissons_ratio", real, "", "model=linear_elastic|mohr_coulomb|neo_hookean", required, poisson, "Poisson's ratio (of the skeleton)"},
     {"materials", "cohesion", real, "Pa", "model=mohr_coulomb", required, not_negative, "c"},
@@ -331,24 +333,25 @@ constexpr Key keys[] = {
     {"pumps", "to", real, "s", "", required, positive, "when it ends; a relaxation does not end before"},
 
     {"exact", "body", name, "", "", required, reference, "the body that follows the solution"},
-    {"exact", "type", choice, "", "", required, words("axis_aligned_mms|taylor_green|uniform_motion|bar_first_mode|generalized_vortex"), "axis_aligned_mms: a neo-Hookean block that swings along each axis; generalized_vortex: a neo-Hookean one with a ring that turns to and fro; taylor_green: decaying vortices of water; uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"},
+    {"exact", "type", choice, "", "", required, words("axis_aligned_mms|taylor_green|uniform_motion|bar_first_mode|generalized_vortex|oscillating_drop"), "axis_aligned_mms: a neo-Hookean block that swings along each axis; generalized_vortex: a neo-Hookean one with a ring that turns to and fro; taylor_green: decaying vortices of water; oscillating_drop: a round drop of water about the origin that a central force draws together (2D); uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"},
     {"exact", "amplitude", real, "m", "type=axis_aligned_mms", required, positive, "A of u = A sin(2 pi X / length); 2 pi A / length is below 1"},
     {"exact", "amplitude", real, "m/s", "type=bar_first_mode", required, not_zero, "velocity of the free end"},
     {"exact", "speed", real, "m/s", "type=taylor_green", required, positive, "U of u = U sin(2 pi x / length) cos(2 pi y / length)"},
     {"exact", "length", real, "m", "type=axis_aligned_mms|taylor_green|bar_first_mode", required, positive, "of a wave; of the bar"},
     {"exact", "angle", real, "rad", "type=generalized_vortex", required, positive, "G, by which the ring turns at most: alpha = G sin(frequency t) (1 - s^2)^2, s = (R - radius) / half_width, about the origin"},
-    {"exact", "radius", real, "m", "type=generalized_vortex", required, positive, "of the circle that turns most"},
+    {"exact", "radius", real, "m", "type=generalized_vortex|oscillating_drop", required, positive, "of the circle that turns most; of the drop"},
     {"exact", "half_width", real, "m", "type=generalized_vortex", required, positive, "of the ring; less than radius"},
-    {"exact", "frequency", real, "rad/s", "type=generalized_vortex", required, positive, "angular frequency of the swing"},
+    {"exact", "frequency", real, "rad/s", "type=generalized_vortex|oscillating_drop", required, positive, "angular frequency of the swing; B of the force -B^2 x per mass"},
+    {"exact", "rate", real, "1/s", "type=oscillating_drop", required, not_zero, "A0 of the velocity A0 (x, -y) at the start"},
     {"exact", "axis", choice, "", "type=bar_first_mode", required, axes_2d, "along the bar", 2},
     {"exact", "axis", choice, "", "type=bar_first_mode", required, axes_3d, "along the bar", 3},
     {"exact", "velocity", point, "m/s", "type=uniform_motion", required, any, "of the drift"},
     {"exact", "stretch", point, "", "type=uniform_motion", required, positive, "present over unstrained length along each axis; the body's shape, a box, is the stretched one, and the lattice of its particles is stretched with it"},
 
     {"probes", "name", name, "", "", required, identifier, "heads the probe's columns in history.csv"},
-    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact|geotube|section|span|stress|front"), "tracer: a point that moves with the material; section: horizontal forces over an upright section; front: how far a heap reaches to both sides, lone particles left out; span: tension of a part of a membrane; stress: how the vertical stress spreads over the particles; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows; geotube: shape and pressures of a closed membrane full of fluid beside those of the closed form"},
+    {"probes", "type", choice, "", "", required, words("tracer|hydrostatic|exact|geotube|section|span|stress|front|extremes"), "tracer: a point that moves with the material; section: horizontal forces over an upright section; front: how far a heap reaches to both sides, lone particles left out; span: tension of a part of a membrane; stress: how the vertical stress spreads over the particles; extremes: least and largest volume ratio J and pressure, largest principal stress (effective in soil) of all particles; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows; geotube: shape and pressures of a closed membrane full of fluid beside those of the closed form"},
     {"probes", "position", point, "m", "type=tracer", required, any, "where the point starts"},
-    {"probes", "body", name, "", "type=hydrostatic|exact|section|stress|front", required, reference, "whose particles are compared, or cut, or heaped"},
+    {"probes", "body", name, "", "type=hydrostatic|exact|section|stress|front|extremes", required, reference, "whose particles are compared, or cut, or heaped"},
     {"probes", "from", point, "m", "type=span", required, any, "one end of the part, on the membrane as drawn"},
     {"probes", "to", point, "m", "type=span", required, any, "its other end; round a closed membrane the shorter way"},
     {"probes", "thickness", real, "m", "type=front", required, positive, "of a heap at its front: volume in an upright column of cells over its width"},

@@ -214,3 +214,37 @@ TEST_CASE("A body in uniform motion keeps its stretch") {
   CHECK(strain_scale<2>(solution) == doctest::Approx(0.11));
   CHECK(velocity_scale<2>(solution, 3) == doctest::Approx(wave_speed(elastic)));
 }
+
+TEST_CASE("The oscillating drop closes the momentum equation, keeps its energy sum, and swings as tabulated") {
+  const Material water = material(NewtonianSpec{1000, 1.6e6, 0});
+  const ExactSolution<2> solution = make_exact<2>({"", OscillatingDropSpec{1.0, 1.0, 2.0}, {}}, water);
+  const auto& drop = std::get<OscillatingDrop>(solution);
+  const double step = 1e-3;
+  std::mt19937 engine(3);
+  for (const double t : {0.3, 1.7, 4.0}) {
+    const auto [a, rate] = shape_at(drop, t);
+    CHECK((rate * rate + 1) * (a * a + 1 / (a * a)) == doctest::Approx(4).epsilon(1e-7));
+    CHECK(pressure<2>(drop, {2 * a, 0}, t) == doctest::Approx(0).epsilon(1e-6));
+    CHECK(pressure<2>(drop, {0, 3 / a}, t) == 0);
+    const Vec<2> X = random_point<2>(engine);
+    const auto at = [&](double s) { return exact_point<2>(solution, X, Vec<2>::Zero(), t + s); };
+    const Vec<2> x = X + at(0).displacement;
+    const auto moving = [&](double s) -> Vec<2> { return X + at(s).displacement; };
+    const Vec<2> velocity = slope(moving, step);
+    CHECK((velocity - exact_point<2>(solution, X, x, t).velocity).norm() < 2e-6);
+    const Vec<2> acceleration =
+        slope([&](double s) { return exact_point<2>(solution, X, moving(s), t + s).velocity; }, step);
+    Vec<2> needed = acceleration;
+    for (int b = 0; b < 2; ++b)
+      needed[b] +=
+          (pressure<2>(drop, x + 1e-4 * Vec<2>::Unit(b), t) - pressure<2>(drop, x - 1e-4 * Vec<2>::Unit(b), t)) / 2e-4 /
+          1000;
+    CHECK((body_force<2>(drop, x, t) - needed).norm() < 1e-5);
+  }
+  CHECK(pressure<2>(drop, {0, 0}, 0) == doctest::Approx(4000));  // rho (A0^2 + B^2) R^2 / 2
+  const double period = 4.827343;                                // of the table for A0 / B = 1
+  CHECK(shape_at(drop, period).stretch == doctest::Approx(1).epsilon(1e-6));
+  CHECK(shape_at(drop, period / 4).stretch == doctest::Approx(1.93185).epsilon(1e-5));
+  CHECK(shape_at(drop, 3 * period / 4).stretch == doctest::Approx(1 / 1.93185).epsilon(1e-5));
+  CHECK(velocity_scale<2>(solution, 1.0) == doctest::Approx(2 * std::sqrt(2.0)));
+}

@@ -214,3 +214,16 @@ TEST_CASE("Particles on the walls themselves are inside") {
   CHECK(error_of(run.state, run.grid).empty());
   check_order(body, run.grid.layout);
 }
+
+TEST_CASE("A particle without volume is an error that names body, particle and J") {
+  for (const double bad : {0.0, -0.25, std::numeric_limits<double>::quiet_NaN()}) {
+    CAPTURE(bad);
+    Sorted<2> run;
+    Body<2>& body = run.state.bodies[0];
+    body.name = "bag";
+    body.J[1234] = bad;
+    run.state.drift = -1;
+    const std::string id = std::to_string(body.id[1234]), text = error_of(run.state, run.grid);
+    CHECK(text.find("'bag', particle id " + id + " has no volume left (J = ") != std::string::npos);
+  }
+}

@@ -73,3 +73,23 @@ TEST_CASE("The tension cut-off is kept at or below the apex") {
   CHECK(law.cos_phi == doctest::Approx(std::sqrt(0.75)));
   CHECK(law.sin_psi == doctest::Approx(0.17364818));
 }
+
+TEST_CASE("Water that is not torn follows K (1/J - 1); torn, it keeps its cut-off; energy is the integral of both") {
+  const Newtonian whole{1000, 2e6, 0}, torn{1000, 2e6, 0, 0, 1e5};
+  CHECK(fluid_pressure(whole, 0.5) == doctest::Approx(2e6));
+  CHECK(fluid_pressure(whole, 4) == doctest::Approx(-1.5e6));
+  CHECK(fluid_pressure(torn, 0.5) == doctest::Approx(2e6));
+  CHECK(fluid_pressure(torn, 1.05) == doctest::Approx(2e6 * (1 / 1.05 - 1)));
+  CHECK(fluid_pressure(torn, 4) == -1e5);
+  CHECK_FALSE(whole.cavitates());
+  CHECK(torn.cavitates());
+  CHECK(fluid_energy(torn, 1) == 0);
+  const double step = 1e-5;
+  for (const double J : {0.8, 0.99, 1.04, 1.06, 1.0527, 3.0}) {  // it tears at J = 1 / 0.95 = 1.0526
+    CAPTURE(J);
+    for (const Newtonian& fluid : {whole, torn}) {
+      const double slope = (fluid_energy(fluid, J + step) - fluid_energy(fluid, J - step)) / (2 * step);
+      CHECK(slope == doctest::Approx(-fluid_pressure(fluid, J)).epsilon(1e-5));
+    }
+  }
+}

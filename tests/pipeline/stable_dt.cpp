@@ -133,6 +133,17 @@ TEST_CASE("A speed that is not finite is an error of the run, with step and time
   }
 }
 
+TEST_CASE("The error of a velocity that is not finite names the first particle that has one") {
+  Case each;
+  each.state.bodies = {blank_body<2>(Newtonian{1000, 2.5e6, 0}, 5)};
+  Body<2>& body = each.state.bodies[0];
+  body.name = "bag";
+  for (std::uint32_t p = 0; p < 5; ++p) body.id[p] = 40 + p;
+  body.v[1][3] = body.v[0][4] = each.state.v_max = std::nan("");
+  body.J[3] = 0.125;
+  CHECK(error_of(each).find("'bag', particle id 43 (J = 0.125, x =") != std::string::npos);
+}
+
 TEST_CASE("A time step that would never reach the end is an error of the run") {
   Case each;
   each.state.v_max = 1e14;

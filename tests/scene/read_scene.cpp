@@ -73,6 +73,7 @@ TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   REQUIRE(scene.materials.size() == 8);
   CHECK(model_of<NewtonianSpec>(scene, "water") == NewtonianSpec{1000, 3.6e6, 1e-3});
   CHECK(model_of<NewtonianSpec>(scene, "oil").bulk_modulus == 1e9);
+  CHECK(model_of<NewtonianSpec>(scene, "oil").tension_cutoff == 1e5);
   CHECK(model_of<LinearElasticSpec>(scene, "steel") == LinearElasticSpec{7800, 2e11, 0.3});
   const auto& sand = model_of<MohrCoulombSpec>(scene, "sand");
   CHECK(sand == MohrCoulombSpec{1631, 2.8e6, 0.333, 1e3, 30, 5, 100, std::nullopt});
@@ -113,7 +114,7 @@ TEST_CASE("silent sides as written") {
 
 TEST_CASE("bodies as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.bodies.size() == 8);
+  REQUIRE(scene.bodies.size() == 9);
   const BodySpec &sea = scene.bodies[0], &bed = scene.bodies[1], &bag = scene.bodies[2], &wedge = scene.bodies[3],
                  &bar = scene.bodies[4];
   CHECK(sea.shape == Shape{BoxShape{{0, 2}, {10, 7}}});
@@ -125,7 +126,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 117);
+  CHECK(sea.at.line == 118);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -170,7 +171,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[1].interface == Interface::mixture);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
-  REQUIRE(scene.probes.size() == 8);
+  REQUIRE(scene.probes.size() == 9);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
   const auto& still = std::get<HydrostaticProbeSpec>(scene.probes[1].probe);
   CHECK(still.name == "still");
@@ -183,6 +184,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(std::get<SpanProbeSpec>(scene.probes[5].probe) == SpanProbeSpec{"under", "mat", {1, 8}, {3, 8}});
   CHECK(std::get<StressProbeSpec>(scene.probes[6].probe) == StressProbeSpec{"squeeze", "bed"});
   CHECK(std::get<FrontProbeSpec>(scene.probes[7].probe) == FrontProbeSpec{"heap", "bed", 0.02});
+  CHECK(std::get<ExtremesProbeSpec>(scene.probes[8].probe) == ExtremesProbeSpec{"worst", "bed"});
   REQUIRE(scene.stages.size() == 2);
   CHECK(scene.stages[0].damping_rate == 2);
   CHECK(scene.stages[0].damping_ramp == 0.01);
@@ -190,13 +192,14 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.stages[1].places == std::vector<std::string>{"bar"});
   CHECK(scene.stages[1].moves == std::vector<std::string>{"wall"});
   CHECK(scene.stages[1].removes == std::vector<std::string>{"ram"});
-  REQUIRE(scene.exact.size() == 5);
+  REQUIRE(scene.exact.size() == 6);
   CHECK(scene.exact[0].body == "pad");
   CHECK(std::get<AxisAlignedMmsSpec>(scene.exact[0].solution) == AxisAlignedMmsSpec{0.05, 1.0});
   CHECK(std::get<TaylorGreenSpec>(scene.exact[1].solution) == TaylorGreenSpec{1.0, 1.0});
   CHECK(std::get<UniformMotionSpec>(scene.exact[2].solution) == UniformMotionSpec{{0.0, -1.0}, {1.1, 1.0}});
   CHECK(std::get<BarFirstModeSpec>(scene.exact[3].solution) == BarFirstModeSpec{0.1, 1, 25.0});
   CHECK(std::get<GeneralizedVortexSpec>(scene.exact[4].solution) == GeneralizedVortexSpec{0.1, 1.0, 0.25, 3.0});
+  CHECK(std::get<OscillatingDropSpec>(scene.exact[5].solution) == OscillatingDropSpec{0.5, 2.0, 1.5});
   REQUIRE(scene.results.size() == 11);
   using enum Reduction;
   const std::vector<Reduction> kinds{last,           min,       max,  mean, rms, percentile, period, first_time_below,

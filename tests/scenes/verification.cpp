@@ -101,3 +101,34 @@ TEST_CASE("Ten periods of the bar: energy within 1 %, a tenth of the phase error
   CHECK(run.result("phase_error_rad") == doctest::Approx(-0.052).epsilon(0.1));
   CHECK(run.result("energy_ratio") == doctest::Approx(run.result("mode_energy_ratio")).epsilon(0.01));
 }
+
+TEST_CASE("Water that is thrown off a wall tears at its cut-off, and comes down when it should") {
+  const SceneRun run("cases/verification/cavitation.toml", {});
+  CHECK(run.result("pressure_min_Pa") == -5000);
+  CHECK(run.result("rise_m") == doctest::Approx(1.0406).epsilon(0.005));
+  CHECK(run.result("closed_s") == doctest::Approx(0.16247).epsilon(0.03));
+}
+
+TEST_CASE("A drop under a central force swings with the period of the exact one") {
+  const SceneRun run("cases/verification/oscillating_drop.toml", {"grid.spacing=0.25", "time.end=8.6"});
+  CHECK(run.result("period_s") == doctest::Approx(4.827343).epsilon(0.03));
+  CHECK(run.result("stretch_ratio") == doctest::Approx(1.93185).epsilon(0.01));
+}
+
+TEST_CASE("A column squeezed to a twentieth keeps a volume; a scheme that turns it inside out stops and says where") {
+  const SceneRun sound("cases/verification/squeeze.toml", {"time.end=0.005"});
+  CHECK(sound.outcome().code == 0);
+  CHECK(sound.result("volume_min_ratio") > 0);
+  CHECK(sound.result("volume_min_ratio") < 0.05);
+  const SceneRun broken("cases/verification/squeeze.toml", {"grid.basis=linear", "solver.courant=1.0"});
+  const std::string said = broken.outcome().out + broken.outcome().err;
+  CHECK(broken.outcome().code == 1);
+  CHECK(said.find("body 'block', particle id") != std::string::npos);
+  CHECK(said.find("has no volume left (J = -") != std::string::npos);
+}
+
+TEST_CASE("Sand without cohesion that is thrown apart bears no tension") {
+  const SceneRun run("cases/verification/apart.toml", {"grid.spacing=0.25", "time.end=0.5"});
+  CHECK(run.result("tension_max_Pa") < 1e-9);
+  CHECK(run.result("mass_kg") == doctest::Approx(1600).epsilon(1e-12));
+}

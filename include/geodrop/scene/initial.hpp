@@ -83,10 +83,18 @@ struct GeneralizedVortexSpec {
   double frequency = 0;   ///< omega of sin(omega t) [rad/s]
   bool operator==(const GeneralizedVortexSpec&) const = default;
 };
+struct OscillatingDropSpec {
+  double rate = 0;       ///< A0 of v = A0 (x, -y) at the start [1/s]
+  double frequency = 0;  ///< B of the force -B^2 x per mass [rad/s]
+  double radius = 0;     ///< of the drop, about the origin [m]
+  bool operator==(const OscillatingDropSpec&) const = default;
+};
 /// A solution that a body follows: what it may start from, is driven by, and can be compared with.
 struct ExactSpec {
   std::string body;
-  std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec, GeneralizedVortexSpec>
+  std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec, GeneralizedVortexSpec,
+               OscillatingDropSpec>
+
       solution;
   SourceRef at;
   bool operator==(const ExactSpec&) const = default;

@@ -3,18 +3,20 @@
 
 #include <geodrop/error.hpp>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
 
 namespace geodrop {
 
-/// Newtonian, weakly compressible: p = K (rho / rho0 - 1), deviator 2 mu dev(D).
+/// Newtonian, weakly compressible: p = K (rho / rho0 - 1), at least -tension_cutoff; deviator 2 mu dev(D).
 struct NewtonianSpec {
   double density = 0;        ///< at zero pressure [kg/m3]
   double bulk_modulus = 0;   ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
   double viscosity = 0;      ///< dynamic [Pa s]
   double mixing_length = 0;  ///< of eddies that are not resolved [m]; 0: none
+  double tension_cutoff = std::numeric_limits<double>::infinity();  ///< largest suction [Pa]; infinite: any
   bool operator==(const NewtonianSpec&) const = default;
 };
 /// Hypoelastic with logarithmic strain and a rotated (Hughes-Winget) Cauchy stress.

@@ -47,6 +47,13 @@ struct StressProbeSpec {
   std::string body;
   bool operator==(const StressProbeSpec&) const = default;
 };
+/// Extremes over the particles of a body: columns volume_min_ratio, volume_max_ratio (of J), pressure_min_Pa,
+/// pressure_max_Pa, tension_max_Pa (largest principal stress, in soil the effective one; negative under compression).
+struct ExtremesProbeSpec {
+  std::string name;
+  std::string body;
+  bool operator==(const ExtremesProbeSpec&) const = default;
+};
 /// Forces over a section x = position through a body and its membrane, consistent with the grid (2D): columns
 /// soil_force_N_m (compression positive), membrane_force_N_m (tension positive), net_force_N_m, their difference.
 struct SectionProbeSpec {
@@ -71,7 +78,7 @@ struct GeotubeProbeSpec {
 };
 struct ProbeSpec {
   std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
-               StressProbeSpec, FrontProbeSpec>
+               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec>
       probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
