@@ -39,7 +39,7 @@ USES = {
     "soil, quasi-static": {"gravity_column_damped": (0.05, 0.025, 0.0125), "infinite_slope_slides": (0.1, 0.05, 0.025),
                            "disc_on_incline": (0.125, 0.0625, 0.03125)},
     "membranes": {"tube_mode_2": (0.2, 0.1), "pressurised_tube": (0.2, 0.1), "geotube_556": (0.2, 0.1)},
-    "dumping": {"ellipse_release": (0.5, 0.25, 0.125), "cylinder_release": (0.5, 0.25, 0.125)},
+    "dumping": {"ellipse_release": (0.5, 0.25), "cylinder_release": (0.5, 0.25)},
 }
 
 
