@@ -10,26 +10,28 @@
 namespace geodrop {
 namespace {
 
+/// `what` ends with an open bracket in which the place goes.
 template <int Dim>
-[[noreturn]] void throw_outside(const State<Dim>& state, const Body<Dim>& body, std::size_t p) {
+[[noreturn]] void throw_lost(const State<Dim>& state, const Body<Dim>& body, std::size_t p, const std::string& what,
+                             const std::string& hint) {
   std::ostringstream text;
-  text << "stage sort_particles: body '" << body.name << "', particle id " << body.id[p]
-       << " left the domain or is not finite (x =";
+  text << "stage sort_particles: body '" << body.name << "', particle id " << body.id[p] << ' ' << what << "x =";
   for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
-  text << ") at t = " << state.t << " s, step " << state.step
-       << "; a smaller solver.courant often helps, see the last frame";
+  text << ") at t = " << state.t << " s, step " << state.step << hint;
   throw RunError(text.str());
 }
 
 template <int Dim>
+[[noreturn]] void throw_outside(const State<Dim>& state, const Body<Dim>& body, std::size_t p) {
+  throw_lost(state, body, p, "left the domain or is not finite (",
+             "; a smaller solver.courant often helps, see the last frame");
+}
+
+template <int Dim>
 [[noreturn]] void throw_crushed(const State<Dim>& state, const Body<Dim>& body, std::size_t p) {
-  std::ostringstream text;
-  text << "stage sort_particles: body '" << body.name << "', particle id " << body.id[p]
-       << " has no volume left (J = " << body.J[p] << ", x =";
-  for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
-  text << ") at t = " << state.t << " s, step " << state.step
-       << ": it was squeezed to nothing or turned inside out; see the last frame";
-  throw RunError(text.str());
+  std::ostringstream what;
+  what << "has no volume left (J = " << body.J[p] << ", ";
+  throw_lost(state, body, p, what.str(), ": it was squeezed to nothing or turned inside out; see the last frame");
 }
 
 /// Number of base cells along each axis when every slab is complete: keys are dense in (slab, cell of slab).

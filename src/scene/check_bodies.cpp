@@ -89,9 +89,7 @@ void check_cavities(const Scene& scene, const BodySpec& body, const std::string&
   if (!fluid || !(fluid->tension_cutoff < fluid->bulk_modulus)) return;
   const bool silent = std::any_of(scene.silent_sides.begin(), scene.silent_sides.end(),
                                   [&](const SilentSideSpec& side) { return side.body == body.name; });
-  const bool sharp = std::any_of(scene.membranes.begin(), scene.membranes.end(),
-                                 [](const MembraneSpec& membrane) { return membrane.interface == Interface::sharp; });
-  if (silent || sharp || body.pressure == PressureSupport::enclosed)
+  if (silent || has_sharp_interface(scene) || body.pressure == PressureSupport::enclosed)
     report.add(key + ".material", '"' + body.material + "\", which has a tension_cutoff",
                "a fluid without one, with an enclosed pressure, a silent side or a sharp interface");
 }
