@@ -94,7 +94,6 @@ struct ExactSpec {
   std::string body;
   std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec, GeneralizedVortexSpec,
                OscillatingDropSpec>
-
       solution;
   SourceRef at;
   bool operator==(const ExactSpec&) const = default;

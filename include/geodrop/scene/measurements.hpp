@@ -26,14 +26,15 @@ struct HydrostaticProbeSpec {
   std::string tips_of{};  ///< membrane near whose lowest and highest node errors count apart; empty: none
   bool operator==(const HydrostaticProbeSpec&) const = default;
 };
-/// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
-/// tension_max_N_m.
+/// How far a heap reaches to both sides, lone particles left out (2D); columns left_m, right_m.
 struct FrontProbeSpec {
   std::string name;
   std::string body;
   double thickness = 0;  ///< that a heap has at its front [m]
   bool operator==(const FrontProbeSpec&) const = default;
 };
+/// Tension between two places of a membrane, the shorter way round if it is closed; columns tension_mean_N_m,
+/// tension_max_N_m.
 struct SpanProbeSpec {
   std::string name;
   std::string membrane;
