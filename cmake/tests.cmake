@@ -5,8 +5,8 @@ file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.
 add_executable(geodrop_tests ${test_sources})
 target_include_directories(geodrop_tests PRIVATE tests)
 target_link_libraries(geodrop_tests PRIVATE geodrop_core doctest::doctest)
-target_compile_definitions(geodrop_tests PRIVATE "GEODROP_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\""
-                           "GEODROP_PROGRAM=\"$<TARGET_FILE:geodrop>\"")
+set_source_files_properties("${PROJECT_SOURCE_DIR}/tests/support/paths.cpp" PROPERTIES COMPILE_DEFINITIONS
+                            "GEODROP_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\";GEODROP_PROGRAM=\"$<TARGET_FILE:geodrop>\"")
 add_dependencies(geodrop_tests geodrop)
 
 foreach(source IN LISTS test_sources)

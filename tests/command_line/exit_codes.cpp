@@ -109,7 +109,7 @@ TEST_CASE("A broken run ends with 1, says why, and keeps its last frame") {
 TEST_CASE("Too little memory: 1 and one message") {
   const geodrop::TemporaryDirectory directory;
   // 2e8 particles of some 130 bytes in at most 0.6 GB.
-  const std::string command = "ulimit -v 600000; exec '" GEODROP_PROGRAM "' run '" + scene +
+  const std::string command = "ulimit -v 600000; exec '" + geodrop::test::program_path + "' run '" + scene +
                               "' --threads 1 --set grid.spacing=0.0005 --output '" + (directory / "run").string() +
                               "' 2>&1 >/dev/null";
   std::string said;

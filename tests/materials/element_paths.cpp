@@ -1,5 +1,6 @@
 // One point led along laboratory paths: oedometer, triaxial and biaxial compression, rigid spin, undrained squeeze.
 #include "element.hpp"
+#include "support/paths.hpp"
 
 #include <doctest/doctest.h>
 
@@ -47,7 +48,7 @@ struct BiaxialRow {
 };
 
 std::vector<BiaxialRow> read_biaxial() {
-  std::ifstream file(GEODROP_SOURCE_DIR "/tests/data/biaxial_plane_strain.csv");
+  std::ifstream file(test::source_directory + "/tests/data/biaxial_plane_strain.csv");
   std::string line;
   std::getline(file, line);
   std::vector<BiaxialRow> rows;

@@ -1,6 +1,7 @@
 // The return to Mohr-Coulomb and to the tension cut-off: tabulated states, values by hand, and the flow rule itself.
 #include "element.hpp"
 #include "materials/principal_return.hpp"
+#include "support/paths.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +25,7 @@ struct TabulatedReturn {
 };
 
 std::vector<TabulatedReturn> read_table() {
-  std::ifstream file(GEODROP_SOURCE_DIR "/tests/data/mohr_coulomb_return_map.csv");
+  std::ifstream file(test::source_directory + "/tests/data/mohr_coulomb_return_map.csv");
   std::vector<TabulatedReturn> table;
   std::string line;
   std::getline(file, line);

@@ -30,7 +30,7 @@ std::vector<std::string> expected_parts(const std::filesystem::path& path) {
 
 int run_program(const std::string& arguments, const std::filesystem::path& messages) {
   const std::string command =
-      std::string("\"") + GEODROP_PROGRAM + "\" " + arguments + " > \"" + messages.string() + "\" 2>&1";
+      "\"" + geodrop::test::program_path + "\" " + arguments + " > \"" + messages.string() + "\" 2>&1";
   return WEXITSTATUS(std::system(command.c_str()));
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/paths.hpp"
 #include "support/scene_files.hpp"
 
 namespace geodrop::test {
@@ -27,7 +28,7 @@ class Program {
  public:
   explicit Program(const std::vector<std::string>& arguments) {
     std::vector<char*> argv;
-    std::vector<std::string> words{GEODROP_PROGRAM};
+    std::vector<std::string> words{program_path};
     words.insert(words.end(), arguments.begin(), arguments.end());
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
@@ -37,7 +38,7 @@ class Program {
     const auto redirect = [](const std::string& path, int to) { dup2(creat(path.c_str(), S_IRUSR | S_IWUSR), to); };
     redirect(out, STDOUT_FILENO);
     redirect(err, STDERR_FILENO);
-    execv(GEODROP_PROGRAM, argv.data());
+    execv(program_path.c_str(), argv.data());
     _exit(127);
   }
   Program(const Program&) = delete;

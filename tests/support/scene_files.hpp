@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "support/paths.hpp"
+
 namespace geodrop {
 
-inline std::string source_path(const std::string& relative) { return std::string(GEODROP_SOURCE_DIR) + "/" + relative; }
+inline std::string source_path(const std::string& relative) { return test::source_directory + "/" + relative; }
 
 inline std::string read_file(const std::filesystem::path& path) {
   std::ifstream file(path);
