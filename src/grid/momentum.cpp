@@ -136,7 +136,7 @@ void update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, co
     change = impulse * carried + step.gravity;
     velocity = grid.sum[flat] * inv_m + change;
     if (m < light) left_over.emplace_back(flat, (1 - m / light) * impulse);
-  } else if (impulse[0] != 0 || impulse[1] != 0) {
+  } else if (impulse[0] != 0 || impulse[1] != 0 || (Dim == 3 && impulse[2] != 0)) {
     left_over.emplace_back(flat, impulse);  // of a massless skin that reaches beyond the particles
   }
   grid.velocity[flat] = velocity;
