@@ -2,7 +2,7 @@
 //
 //   P_c = sum V_p p_p / sum V_p,   f_i = sum_c P_c int_c grad N_i,   D_c = (1/V_c) sum_i v_i . int_c grad N_i
 //
-// design.md section 2, steps 1, 2, 5: "Smoothing only one of them blows up or sinks the column".
+// Smoothing only one of the two blows up a column of water or sinks it (trials); docs/step.md, "cell_pressure".
 #pragma once
 
 #include <geodrop/grid.hpp>

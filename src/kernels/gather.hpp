@@ -2,7 +2,7 @@
 //
 //   v_p = a (v_p + sum N (v' - v)) + (1 - a) sum N v',  a = exp(-lambda dt)   (a = 0: TPIC)
 //   C_p = L,  L = sum v' (grad N)^T,  x_p += dt sum N v'       (TPIC, Nakamura et al. 2023)
-//   J  *= 1 + dt D,  D = D_c in filled cells, tr L elsewhere                  design.md section 2, steps 4 and 5
+//   J  *= 1 + dt D,  D = D_c in filled cells (grid/cell_pressure.hpp), tr L elsewhere
 #pragma once
 
 #include <emmintrin.h>
@@ -114,7 +114,7 @@ void move_chunk(Body<Dim>& body, const GatherOptions& options, const ChunkRates<
   }
 }
 
-/// Step out of clumps and into voids: dx = -h dt (|v| + v0) grad(phi), v += C dx (design.md section 2, step 6).
+/// Step out of clumps and into voids: dx = -h dt (|v| + v0) grad(phi), v += C dx (docs/step.md, "grid_to_particles").
 template <int Dim>
 void shift_chunk(Body<Dim>& body, const ChunkRates<Dim>& rates, double h, double dt, std::size_t p, int count) {
   alignas(64) double scale[chunk_size] = {};

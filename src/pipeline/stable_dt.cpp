@@ -115,8 +115,8 @@ template <int Dim>
 
 }  // namespace
 
-/// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h) (design.md section 2); viscosity: dt <= h^2 / (2 d
-/// nu); h is the finest cell's.
+/// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h), waves in body and membrane in one sum (safe);
+/// viscosity: C times h^2 / (2 d nu), the limit of an explicit step (safe); h is the finest cell's.
 template <int Dim>
 double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<Dim>& layout) {
   if (!std::isfinite(state.v_max)) throw_not_finite(state);

@@ -22,7 +22,7 @@ double signed_area(const std::vector<Point>& points) {
   return twice / 2;
 }
 
-/// The container of the field test, upright (reference README section 2).
+/// The container of the field test, upright (cases/dump_kekerdom.toml).
 const EllipseShape container{{1.0, 2.0}, {0.507698, 3.326767}, 0.0};
 
 }  // namespace
