@@ -1,6 +1,7 @@
 // The command line: parses, calls, and turns every way of failing into a message and an exit code.
 #include <geodrop/bench.hpp>
 #include <geodrop/error.hpp>
+#include <geodrop/results.hpp>
 #include <geodrop/run.hpp>
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
@@ -100,10 +101,16 @@ int run(const Arguments& arguments) {
   return geodrop::run_scene(geodrop::read_scene(arguments.scene, arguments.overrides), options, arguments.verify);
 }
 
+void print_notes(const geodrop::Scene& scene) {
+  for (const std::string& note : geodrop::scene_notes(scene)) std::cout << "note: " << note << '\n';
+}
+
 int check(const Arguments& arguments) {
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
+  geodrop::check_results(scene);
   std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
             << scene.membranes.size() << " membranes\n";
+  print_notes(scene);
   return 0;
 }
 
@@ -122,8 +129,10 @@ int info(const Arguments& arguments) {
   std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs()
             << " cores, kernels for " << kernel_instruction_set() << '\n';
   if (arguments.scene.empty()) return 0;
-  for (const geodrop::Fact& fact : geodrop::scene_facts(geodrop::read_scene(arguments.scene, arguments.overrides)))
+  const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
+  for (const geodrop::Fact& fact : geodrop::scene_facts(scene))
     std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);
+  print_notes(scene);
   return 0;
 }
 

@@ -25,6 +25,10 @@ int run_scene(const Scene& scene, const RunOptions& options, bool verify);
 /// The facts of the scene's first state, see state_facts.
 std::vector<Fact> scene_facts(const Scene& scene);
 
+/// What is no mistake, but what the scene's results must not be believed without: a sentence each, printed by `check`
+/// and `info` and logged by a run.
+std::vector<std::string> scene_notes(const Scene& scene);
+
 /// The stages that the scene needs, one line each: name and what it reads and writes.
 std::string stages_text(const Scene& scene);
 

@@ -50,6 +50,7 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   State<Dim> state;
   if (!options.resume) state = build_state<Dim>(scene);
   Output<Dim> output(scene, options);
+  for (const std::string& note : scene_notes(scene)) output.log("note: " + note);
   if (options.resume) state = output.resume();
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
