@@ -1,9 +1,29 @@
-# `cmake --install` and the Debian package (cpack -G DEB; needs dpkg-dev, which finds out the dependencies).
+# `cmake --install` and the Debian package (cpack -G DEB; needs dpkg-dev and file, which find out the dependencies).
 set(share "${CMAKE_INSTALL_DATADIR}/geodrop")
 install(TARGETS geodrop)
 install(DIRECTORY cases paraview DESTINATION "${share}" PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY docs/ DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# What the pages link to lies beside them as in the source tree, so that links lead somewhere.
+file(GLOB pages CONFIGURE_DEPENDS README.md docs/*.md)
+foreach(page IN LISTS pages)
+  file(READ "${page}" text)
+  string(REPLACE "](" "<link>" text "${text}")  # CMake splits no list at brackets
+  string(REGEX MATCHALL "<link>[^)#:]+[)#]" links "${text}")
+  cmake_path(GET page PARENT_PATH directory)
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "<link>(.*)[)#]" "\\1" target "${link}")
+    cmake_path(ABSOLUTE_PATH target BASE_DIRECTORY "${directory}" NORMALIZE)
+    if(NOT EXISTS "${target}")
+      message(FATAL_ERROR "${page} links to ${target}, which is not there")
+    endif()
+    cmake_path(RELATIVE_PATH target BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    cmake_path(GET target PARENT_PATH folder)
+    if(NOT folder MATCHES "^docs")
+      install(FILES "${target}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${folder}")
+    endif()
+  endforeach()
+endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The geodrop authors <geodrop@localhost>")

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Particles, geotextiles and rigid walls of some frames of a run, side by side in one picture, coloured by speed. For those who
-have no ParaView at hand: needs python3-vtk9 and python3-matplotlib.
+need no window: needs python3-matplotlib and VTK's modules for Python, which come with python3-paraview or with
+python3-vtk9 (Debian lets only one of both be installed).
 
     paraview/draw_frames.py RUN_DIR OUTPUT.png --times 2 6.5 11 14 16 --window -7 7 -2 15 [--fastest 4]
 """
