@@ -66,11 +66,9 @@ SpeedSample time_steps(Subject<Dim>& subject, int threads, Run&& run) {
   for (Stage<Dim>& stage : subject.pipeline) stage.seconds = 0;
   const Stopwatch watch(threads);
   const int steps = run();
-  const double wall = watch.wall_seconds(), judged = watch.judged_seconds();
-  const double to_ns = 1e9 / (static_cast<double>(subject.state.particles()) * steps);
-  SpeedSample sample{wall * to_ns, judged * to_ns, {}};
-  for (const Stage<Dim>& stage : subject.pipeline) sample.stages.push_back({stage.name, stage.seconds * to_ns});
-  return sample;
+  TimedSteps timed{subject.state.particles(), steps, watch.wall_seconds(), watch.judged_seconds(), {}};
+  for (const Stage<Dim>& stage : subject.pipeline) timed.stages.push_back({stage.name, stage.seconds});
+  return sample_of(timed);
 }
 
 /// `sample` times one stretch; it comes between two samples of the reference kernels.
@@ -119,6 +117,13 @@ SpeedMeasurement measure_case_in(const Scene& scene, const Effort& effort, Refer
 }
 
 }  // namespace
+
+SpeedSample sample_of(const TimedSteps& timed) {
+  const double to_ns = 1e9 / (static_cast<double>(timed.particles) * timed.steps);
+  SpeedSample sample{timed.wall_seconds * to_ns, timed.judged_seconds * to_ns, timed.steps, {}};
+  for (const StageTime& stage : timed.stages) sample.stages.push_back({stage.name, stage.seconds * to_ns});
+  return sample;
+}
 
 double SpeedMeasurement::ratio() const {
   double best = std::numeric_limits<double>::infinity();

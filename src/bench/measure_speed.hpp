@@ -9,12 +9,23 @@
 
 namespace geodrop {
 
+/// A stretch of steps as the clocks saw it.
+struct TimedSteps {
+  std::size_t particles = 0;
+  int steps = 0;
+  double wall_seconds = 0, judged_seconds = 0;
+  std::vector<StageTime> stages;
+};
+
 /// One timed stretch of steps; all times in ns per particle-step, wall time of all threads together.
 struct SpeedSample {
   double ns = 0;
-  double judged_ns = 0;           ///< that ratios are made of, see stopwatch.hpp
+  double judged_ns = 0;  ///< that ratios are made of, see stopwatch.hpp
+  int steps = 0;
   std::vector<StageTime> stages;  ///< `seconds` holds ns per particle-step here, too
 };
+
+SpeedSample sample_of(const TimedSteps& timed);
 
 struct SpeedMeasurement {
   std::size_t particles = 0, nodes = 0, active_blocks = 0;
