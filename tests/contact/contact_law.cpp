@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "contact/surface_contact.hpp"
+#include "support/near.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -33,9 +35,9 @@ TEST_CASE("Damping adds z l v while a point comes, takes as much while it goes, 
     RigidContact<2> contact = make_contact(0, z);
     return contact_forces(RigidSurface(ground()), {point({0, -depth}, {0, v})}, dt, contact)[0][1];
   };
-  CHECK(push(0) == doctest::Approx(stiffness * length * depth).epsilon(1e-12));
-  CHECK(push(-0.1) == doctest::Approx(length * (stiffness * depth + z * 0.1)).epsilon(1e-12));
-  CHECK(push(0.1) == doctest::Approx(length * (stiffness * depth - z * 0.1)).epsilon(1e-12));
+  CHECK(push(0) == near(stiffness * length * depth, 1e-12));
+  CHECK(push(-0.1) == near(length * (stiffness * depth + z * 0.1), 1e-12));
+  CHECK(push(0.1) == near(length * (stiffness * depth - z * 0.1), 1e-12));
   CHECK(push(0.21) == 0);
   RigidContact<2> contact = make_contact(0, z);
   contact_forces(RigidSurface(ground()), {point({0, 1e-9}, {0, -1})}, dt, contact);
@@ -47,11 +49,11 @@ TEST_CASE("Work of friction is the slip times the limit; work of damping z l v^2
   const RigidSurface surface(ground());
   const double limit = 0.5 * stiffness * length * 1e-3;  // reached at 0.5 mm of slip
   for (int step = 0; step < 10; ++step) contact_forces(surface, {point({0, -1e-3}, {0.01, 0})}, dt, contact);
-  CHECK(contact.friction_work == doctest::Approx(limit * (10 * 0.1e-3 - 0.5e-3)).epsilon(1e-9));
-  CHECK(contact.friction_sum == doctest::Approx(-limit).epsilon(1e-12));
+  CHECK(contact.friction_work == near(limit * (10 * 0.1e-3 - 0.5e-3), 1e-9));
+  CHECK(contact.friction_sum == near(-limit, 1e-12));
   CHECK(contact.damping_work == 0);
   contact_forces(surface, {point({0, -1e-3}, {0, -0.1})}, dt, contact);
-  CHECK(contact.damping_work == doctest::Approx(1e3 * length * 0.01 * dt).epsilon(1e-9));
+  CHECK(contact.damping_work == near(1e3 * length * 0.01 * dt, 1e-9));
 }
 
 TEST_CASE("A surface that moves drags what rests on it") {
@@ -59,9 +61,9 @@ TEST_CASE("A surface that moves drags what rests on it") {
   belt.velocity = {0.02, 0};
   RigidContact<2> contact = make_contact(10);
   const auto force = contact_forces(RigidSurface(belt), {point({0, -1e-3}, {0, 0})}, dt, contact)[0];
-  CHECK(force[0] == doctest::Approx(stiffness * length * 0.02 * dt).epsilon(1e-12));
-  CHECK(contact.friction_force[0] == doctest::Approx(force[0]).epsilon(1e-12));
-  CHECK(contact.normal_force[1] == doctest::Approx(force[1]).epsilon(1e-12));
+  CHECK(force[0] == near(stiffness * length * 0.02 * dt, 1e-12));
+  CHECK(contact.friction_force[0] == near(force[0], 1e-12));
+  CHECK(contact.normal_force[1] == near(force[1], 1e-12));
   // With the belt nothing slips.
   RigidContact<2> riding = make_contact(10);
   CHECK(contact_forces(RigidSurface(belt), {point({0, -1e-3}, {0.02, 0})}, dt, riding)[0][0] == 0);
@@ -69,7 +71,7 @@ TEST_CASE("A surface that moves drags what rests on it") {
   belt.velocity = {0, 0.1};
   RigidContact<2> damped = make_contact(0, 1e3);
   CHECK(contact_forces(RigidSurface(belt), {point({0, -1e-3}, {0, 0})}, dt, damped)[0][1] ==
-        doctest::Approx(length * (stiffness * 1e-3 + 1e3 * 0.1)).epsilon(1e-12));
+        near(length * (stiffness * 1e-3 + 1e3 * 0.1), 1e-12));
 }
 
 TEST_CASE("A spring turns with the surface round a rounded end") {
@@ -79,8 +81,8 @@ TEST_CASE("A spring turns with the surface round a rounded end") {
   contact_forces(disc, {point({0, in}, {0.05, 0})}, dt, contact);  // on top, clockwise
   const double drag = stiffness * length * 0.05 * dt;
   const auto right = contact_forces(disc, {point({in, 0}, {0, 0})}, dt, contact)[0];
-  CHECK(right[0] == doctest::Approx(stiffness * length * 1e-3).epsilon(1e-9));
-  CHECK(right[1] == doctest::Approx(drag).epsilon(1e-9));
+  CHECK(right[0] == near(stiffness * length * 1e-3, 1e-9));
+  CHECK(right[1] == near(drag, 1e-9));
 }
 
 TEST_CASE("Each point has its own spring, whoever else touches; who lets go forgets its spring") {
@@ -93,7 +95,7 @@ TEST_CASE("Each point has its own spring, whoever else touches; who lets go forg
       contact_forces(surface, {point(deep, still, 1), point(out, still, 2), point(deep, still, 9)}, dt, contact);
   CHECK(next[0][0] == 0);
   CHECK(next[1] == Vec<2>(0, 0));
-  CHECK(next[2][0] == doctest::Approx(-stiffness * length * 0.03 * dt).epsilon(1e-12));
+  CHECK(next[2][0] == near(-stiffness * length * 0.03 * dt, 1e-12));
   const auto last = contact_forces(surface, {point(deep, still, 2)}, dt, contact);
   CHECK(last[0][0] == 0);
 }
@@ -104,7 +106,7 @@ TEST_CASE("A point that came from the left of a thin wall is pushed back to the 
     RigidContact<2> contact = make_contact(0);
     for (const double x : {0.09, 0.01, -0.05, -0.09}) {  // through the middle, towards the other side
       const auto force = contact_forces(wall, {point({side * x, 0}, {0, 0})}, dt, contact)[0];
-      CHECK(force[0] == doctest::Approx(side * stiffness * length * (0.1 - x)).epsilon(1e-9));
+      CHECK(force[0] == near(side * stiffness * length * (0.1 - x), 1e-9));
     }
     contact_forces(wall, {point({-side * 0.11, 0}, {0, 0})}, dt, contact);
     CHECK(contact.points.empty());  // through: no force throws it out on the other side

@@ -11,9 +11,11 @@
 #include <random>
 
 #include "membrane/membrane_force.hpp"
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -135,11 +137,11 @@ TEST_CASE("Flat membranes press with stiffness times depth times their common le
   const auto below = resultant(state.membranes[0]), above = resultant(state.membranes[1]);
   // Nodes of the ground count whole or not at all at the two ends of the sheet: half a pass, half a spacing each.
   CHECK(std::abs(above[1] - exact) < 1.001 * stiffness * depth * 0.5 * coarse);
-  CHECK(below[1] == doctest::Approx(-above[1]).epsilon(1e-12));
+  CHECK(below[1] == near(-above[1], 1e-12));
   CHECK(std::abs(above[0]) < 1e-12 * exact);
-  CHECK(state.membrane_contacts[0].normal_force == doctest::Approx(above[1]).epsilon(1e-12));
-  CHECK(state.membrane_contacts[0].force[0] == doctest::Approx(0).scale(exact));
-  CHECK(state.membrane_contacts[0].force[1] == doctest::Approx(below[1]).epsilon(1e-12));
+  CHECK(state.membrane_contacts[0].normal_force == near(above[1], 1e-12));
+  CHECK(state.membrane_contacts[0].force[0] == near_zero(1e-12 * exact));
+  CHECK(state.membrane_contacts[0].force[1] == near(below[1], 1e-12));
 }
 
 TEST_CASE("Each pass gives half: a node gets half its own length's force, and its share of the other's") {
@@ -152,11 +154,11 @@ TEST_CASE("Each pass gives half: a node gets half its own length's force, and it
   const double p = 0.5 * stiffness * depth;
   // Sheet's nodes, 0.1 m each: at 1/4 of the first segment, at 1/4 of the second.
   // Ground's middle node, 0.2 m: at 3/4 of the sheet. Its outer nodes lie beyond the ends of the sheet.
-  CHECK(ground[0] == doctest::Approx(-p * 0.1 * 0.75).epsilon(1e-9));
-  CHECK(ground[1] == doctest::Approx(-p * (0.1 * 0.25 + 0.1 * 0.75 + 0.2)).epsilon(1e-9));
-  CHECK(ground[2] == doctest::Approx(-p * 0.1 * 0.25).epsilon(1e-9));
-  CHECK(sheet[0] == doctest::Approx(p * (0.1 + 0.2 * 0.25)).epsilon(1e-9));
-  CHECK(sheet[1] == doctest::Approx(p * (0.1 + 0.2 * 0.75)).epsilon(1e-9));
+  CHECK(ground[0] == near(-p * 0.1 * 0.75, 1e-9));
+  CHECK(ground[1] == near(-p * (0.1 * 0.25 + 0.1 * 0.75 + 0.2), 1e-9));
+  CHECK(ground[2] == near(-p * 0.1 * 0.25, 1e-9));
+  CHECK(sheet[0] == near(p * (0.1 + 0.2 * 0.25), 1e-9));
+  CHECK(sheet[1] == near(p * (0.1 + 0.2 * 0.75), 1e-9));
 }
 
 TEST_CASE("No force with a gap, nor beyond the reach, nor on what waits to be placed") {
@@ -188,7 +190,7 @@ TEST_CASE("Contact adds to the loads that are there") {
   more.membranes[1].load[1].assign(more.membranes[1].nodes(), 7.0);
   add_membrane_contacts(more, dt);
   for (std::size_t k = 0; k < more.membranes[1].nodes(); ++k)
-    CHECK(more.membranes[1].load[1][k] == doctest::Approx(7 + state.membranes[1].load[1][k]).epsilon(1e-12));
+    CHECK(more.membranes[1].load[1][k] == near(7 + state.membranes[1].load[1][k], 1e-12));
 }
 
 TEST_CASE("Outlines that cross keep their momentum to round-off, also while they rub") {
@@ -236,17 +238,16 @@ TEST_CASE("Friction sticks as a spring, slips at mu times the normal force, and 
     for (int k = 1; k <= 2; ++k) {
       step(state);
       const double normal = state.membrane_contacts[0].normal_force;
-      CHECK(resultant(state.membranes[1])[0] ==
-            doctest::Approx(-sense * normal * speed * dt * k / depth).epsilon(1e-9));
+      CHECK(resultant(state.membranes[1])[0] == near(-sense * normal * speed * dt * k / depth, 1e-9));
     }
     for (int k = 0; k < 5; ++k) step(state);
     const double limit = mu * state.membrane_contacts[0].normal_force;
-    CHECK(resultant(state.membranes[1])[0] == doctest::Approx(-sense * limit).epsilon(1e-9));
-    CHECK(resultant(state.membranes[0])[0] == doctest::Approx(sense * limit).epsilon(1e-9));
+    CHECK(resultant(state.membranes[1])[0] == near(-sense * limit, 1e-9));
+    CHECK(resultant(state.membranes[0])[0] == near(sense * limit, 1e-9));
     // Turned round, the springs give back what the limit left of them, not all that they were dragged along.
     set_velocity(state.membranes[1], 0.3 - sense * speed, 0.1);
     step(state);
-    CHECK(resultant(state.membranes[1])[0] == doctest::Approx(-sense * limit * (1 - 0.2 / 0.5)).epsilon(1e-9));
+    CHECK(resultant(state.membranes[1])[0] == near(-sense * limit * (1 - 0.2 / 0.5), 1e-9));
   }
 }
 
@@ -294,9 +295,8 @@ TEST_CASE("The lips of a fold push each other apart") {
   const Membrane<2>& bag = state.membranes[0];
   double upper = 0, lower = 0;
   for (std::size_t k = 0; k < bag.nodes(); ++k) (k < bag.nodes() / 2 ? lower : upper) += bag.load[1][k];
-  CHECK(upper ==
-        doctest::Approx(stiffness * depth * 1.0).epsilon(0.1));  // a spacing is 0.1 m, and their tips are corners
-  CHECK(lower == doctest::Approx(-upper).epsilon(1e-9));
+  CHECK(upper == near(stiffness * depth * 1.0, 6e-5));  // a spacing is 0.1 m, and their tips are corners
+  CHECK(lower == near(-upper, 1e-9));
 }
 
 TEST_CASE("The flanks of a thin bag do not meet from inside") {
@@ -332,7 +332,7 @@ TEST_CASE("Contacts from a scene: outward side of open skins, stiffness of the s
     CHECK(contact.outward == std::array<double, 2>{1, c.outward});  // of "skin", of "ground"
     CHECK(contact.friction == 0.15);
     const double modulus = 1e6 * 0.75 / (1.25 * 0.5);
-    CHECK(contact.stiffness == doctest::Approx(0.5 * modulus / 0.125).epsilon(1e-12));
+    CHECK(contact.stiffness == near(0.5 * modulus / 0.125, 1e-12));
     for (int m = 0; m < 2; ++m) {
       CHECK(contact.slip[m] == Array<double>(state.membranes[1 - m].nodes(), 0.0));
       CHECK(state.membranes[m].load[0].size() == state.membranes[m].nodes());

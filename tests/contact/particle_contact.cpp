@@ -7,9 +7,11 @@
 
 #include "contact/surface_contact.hpp"
 #include "grid/sort_particles.hpp"
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -66,9 +68,8 @@ TEST_CASE("What the grid gets is the sum of the forces") {
     for (int a = 0; a < 2; ++a) sum[a] += f[a];
   CHECK(it.contact().normal_sum > 100);
   for (int a = 0; a < 2; ++a)
-    CHECK(sum[a] == doctest::Approx(it.contact().normal_force[a] + it.contact().friction_force[a]).epsilon(1e-10));
-  CHECK(std::hypot(it.contact().normal_force[0], it.contact().normal_force[1]) ==
-        doctest::Approx(it.contact().normal_sum).epsilon(1e-12));
+    CHECK(sum[a] == near(it.contact().normal_force[a] + it.contact().friction_force[a], 1e-10));
+  CHECK(std::hypot(it.contact().normal_force[0], it.contact().normal_force[1]) == near(it.contact().normal_sum, 1e-12));
 }
 
 TEST_CASE("No particle that touches is missed, wherever the surface is") {
@@ -129,6 +130,6 @@ TEST_CASE("A particle's force does not depend on where it is in its cell, nor on
     contact_to_grid(it.state, it.grid, 1e-3);
     Vec4 sum{};
     for (const Vec4& f : it.grid.force) sum += f;
-    CHECK(sum[0] == doctest::Approx(it.contact().normal_force[0] + it.contact().friction_force[0]).epsilon(1e-10));
+    CHECK(sum[0] == near(it.contact().normal_force[0] + it.contact().friction_force[0], 1e-10));
   }
 }

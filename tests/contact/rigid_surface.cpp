@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/near.hpp"
+
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -23,7 +26,7 @@ RigidSurface::Gap gap(const RigidSurface& surface, const Vec<2>& x, std::int8_t 
 }
 
 void check_vector(const Vec<2>& value, const Vec<2>& expected) {
-  for (int a = 0; a < 2; ++a) CHECK(value[a] == doctest::Approx(expected[a]).epsilon(1e-12));
+  for (int a = 0; a < 2; ++a) CHECK(value[a] == within(expected[a], 1e-14));  // of 10 m
 }
 
 /// One body that has moved for `steps` of `dt` by its motion.
@@ -41,47 +44,47 @@ TEST_CASE("Beside a capsule's segment the gap is the height over it, on either s
   for (const int side : {1, -1}) {
     const Vec<2> normal = side * Vec<2>(-0.6, 0.8), middle(2, 1.5);
     const RigidSurface::Gap over = gap(wall, middle + 0.7 * normal);
-    CHECK(over.size == doctest::Approx(0.2).epsilon(1e-12));
+    CHECK(over.size == near(0.2, 1e-12));
     CHECK(over.side == side);
     check_vector(over.normal, normal);
-    CHECK(gap(wall, middle + 0.2 * normal).size == doctest::Approx(-0.3).epsilon(1e-12));
+    CHECK(gap(wall, middle + 0.2 * normal).size == near(-0.3, 1e-12));
   }
 }
 
 TEST_CASE("A point keeps its side of a capsule down to twice the radius, and is lost beyond") {
   const RigidSurface wall(capsule({0, 0}, {4, 0}, 0.5));
   const RigidSurface::Gap below = gap(wall, {2, -0.4}, 1);  // came from above
-  CHECK(below.size == doctest::Approx(-0.9).epsilon(1e-12));
+  CHECK(below.size == near(-0.9, 1e-12));
   CHECK(below.side == 1);
   check_vector(below.normal, {0, 1});
   CHECK_FALSE(wall.gap({2, -0.51}, 1));
-  CHECK(gap(wall, {2, -0.4}, -1).size == doctest::Approx(-0.1).epsilon(1e-12));
+  CHECK(gap(wall, {2, -0.4}, -1).size == near(-0.1, 1e-12));
 }
 
 TEST_CASE("Beyond the ends of a capsule the gap is radial; it goes on evenly from side to end") {
   const RigidSurface wall(capsule({0, 0}, {4, 0}, 0.5));
   const RigidSurface::Gap right = gap(wall, {4.3, -0.4});
-  CHECK(right.size == doctest::Approx(0).epsilon(1e-12));
+  CHECK(right.size == near_zero(1e-15));
   check_vector(right.normal, {0.6, -0.8});
   CHECK(right.side == 0);
-  CHECK(gap(wall, {-0.6, 0.8}).size == doctest::Approx(0.5).epsilon(1e-12));
+  CHECK(gap(wall, {-0.6, 0.8}).size == near(0.5, 1e-12));
   for (const double x : {-1e-9, 1e-9, 4 - 1e-9, 4 + 1e-9}) {
-    CHECK(gap(wall, {x, 0.3}).size == doctest::Approx(-0.2).epsilon(1e-9));
+    CHECK(gap(wall, {x, 0.3}).size == near(-0.2, 1e-9));
     check_vector(gap(wall, {x, 0.3}).normal.array().round(), {0, 1});
   }
 }
 
 TEST_CASE("A capsule without length is a disc") {
   const RigidSurface disc(capsule({1, 1}, {1, 1}, 2));
-  CHECK(gap(disc, {4, 5}).size == doctest::Approx(3).epsilon(1e-12));
+  CHECK(gap(disc, {4, 5}).size == near(3, 1e-12));
   check_vector(gap(disc, {4, 5}).normal, {0.6, 0.8});
   CHECK_FALSE(disc.gap({1, 1}, 0));  // its centre has no direction
 }
 
 TEST_CASE("Of a half-plane's boundary the part in the domain is kept") {
   const RigidBody<2> slope = make_rigid_body({"it", HalfPlaneShape{{2, 8}, {-3, 4}}, {}, {}}, domain);
-  CHECK(slope.normal[0] == doctest::Approx(-0.6).epsilon(1e-15));
-  CHECK(gap(RigidSurface(slope), {0, 0}).size == doctest::Approx(1.2 - 6.4).epsilon(1e-12));
+  CHECK(slope.normal[0] == near(-0.6, 1e-15));
+  CHECK(gap(RigidSurface(slope), {0, 0}).size == near(1.2 - 6.4, 1e-12));
   const std::vector<Vec<2>> ends = outline(slope);
   REQUIRE(ends.size() == 2);
   check_vector(ends[0], {2 + 2 * 4 / 3.0, 10});
@@ -92,15 +95,15 @@ TEST_CASE("A hinge turns its capsule about the centre, at its rate, up to the st
   constexpr double degree = std::numbers::pi / 180;
   const RigidSpec spec{"it", CapsuleShape{{3, 0}, {3, 2}, 0.5}, HingeMotionSpec{{1, 0}, -0.5, 90}, {}};
   const State<2> half = after(spec, 0.1, 10);
-  CHECK(half.rigid[0].angle == doctest::Approx(-0.5).epsilon(1e-12));
-  CHECK(half.rigid[0].angle_rate == doctest::Approx(-0.5).epsilon(1e-12));
+  CHECK(half.rigid[0].angle == near(-0.5, 1e-12));
+  CHECK(half.rigid[0].angle_rate == near(-0.5, 1e-12));
   check_vector(RigidSurface(half.rigid[0]).velocity({1, 4}), {2, 0});  // omega x r
-  CHECK(RigidSurface(half.rigid[0]).speed() == doctest::Approx(0.5 * (std::sqrt(8) + 0.5)).epsilon(1e-12));
+  CHECK(RigidSurface(half.rigid[0]).speed() == near(0.5 * (std::sqrt(8) + 0.5), 1e-12));
   const State<2> stopped = after(spec, 0.1, 100);
-  CHECK(stopped.rigid[0].angle == doctest::Approx(-90 * degree).epsilon(1e-12));
+  CHECK(stopped.rigid[0].angle == near(-90 * degree, 1e-12));
   CHECK(stopped.rigid[0].angle_rate == 0);
   const RigidSurface surface(stopped.rigid[0]);  // now from (1, -2) to (3, -2)
-  CHECK(gap(surface, {2, 0}).size == doctest::Approx(1.5).epsilon(1e-12));
+  CHECK(gap(surface, {2, 0}).size == near(1.5, 1e-12));
   CHECK(gap(surface, {2, 0}).side == 1);
 }
 
@@ -108,26 +111,26 @@ TEST_CASE("A table of angles turns, a table of displacements shifts, both at res
   const RigidSpec wheel{
       "it", CapsuleShape{{2, 0}, {2, 0}, 1}, TableMotionSpec{{1, 2, 4}, {0, 0}, {0, 90, 180}, {}}, {}};
   CHECK(after(wheel, 0.25, 3).rigid[0].angle == 0);
-  CHECK(after(wheel, 0.25, 6).rigid[0].angle == doctest::Approx(std::numbers::pi / 4).epsilon(1e-12));
-  CHECK(after(wheel, 0.25, 12).rigid[0].angle_rate == doctest::Approx(std::numbers::pi / 4).epsilon(1e-12));
-  CHECK(gap(RigidSurface(after(wheel, 0.25, 40).rigid[0]), {-5, 0}).size == doctest::Approx(2).epsilon(1e-12));
+  CHECK(after(wheel, 0.25, 6).rigid[0].angle == near(std::numbers::pi / 4, 1e-12));
+  CHECK(after(wheel, 0.25, 12).rigid[0].angle_rate == near(std::numbers::pi / 4, 1e-12));
+  CHECK(gap(RigidSurface(after(wheel, 0.25, 40).rigid[0]), {-5, 0}).size == near(2, 1e-12));
   const RigidSpec lift{"it", CapsuleShape{{2, 0}, {2, 0}, 1}, TableMotionSpec{{0, 2}, {}, {}, {{0, 0}, {-4, 2}}}, {}};
   const State<2> midway = after(lift, 0.25, 4);
   check_vector(RigidSurface(midway.rigid[0]).velocity({9, 9}), {-2, 1});
-  CHECK(gap(RigidSurface(midway.rigid[0]), {0, 3}).size == doctest::Approx(1).epsilon(1e-12));
+  CHECK(gap(RigidSurface(midway.rigid[0]), {0, 3}).size == near(1, 1e-12));
 }
 
 TEST_CASE("A body whose motion is held stays where it is, and has no rates") {
   const RigidSpec spec{"it", CapsuleShape{{0, 0}, {0, 0}, 1}, TranslationMotionSpec{{0, -2}}, {}};
   State<2> state = after(spec, 0.5, 2);
-  CHECK(state.rigid[0].velocity[1] == doctest::Approx(-2).epsilon(1e-12));
+  CHECK(state.rigid[0].velocity[1] == near(-2, 1e-12));
   state.rigid[0].moving = false;
   move_rigid_bodies(std::vector{spec}, 0.5, state);
-  CHECK(state.rigid[0].displacement[1] == doctest::Approx(-2).epsilon(1e-12));
+  CHECK(state.rigid[0].displacement[1] == near(-2, 1e-12));
   CHECK(state.rigid[0].velocity[1] == 0);
   state.rigid[0].moving = true;
   move_rigid_bodies(std::vector{spec}, 0.5, state);
-  CHECK(state.rigid[0].displacement[1] == doctest::Approx(-3).epsilon(1e-12));
+  CHECK(state.rigid[0].displacement[1] == near(-3, 1e-12));
 }
 
 TEST_CASE("A box that may touch is never left out, and one far away is") {
@@ -158,5 +161,5 @@ TEST_CASE("The outline of a capsule lies on its surface and encloses it") {
     const Vec<2>& next = corners[(k + 1) % corners.size()];
     twice += corners[k][0] * next[1] - next[0] * corners[k][1];
   }
-  CHECK(twice / 2 == doctest::Approx(5 + std::numbers::pi / 4).epsilon(0.002));  // the chords are a little inside
+  CHECK(twice / 2 == near(5 + std::numbers::pi / 4, 0.002));  // the chords are a little inside
 }

@@ -7,9 +7,11 @@
 #include <numeric>
 
 #include "membrane/membrane_force.hpp"
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -77,7 +79,7 @@ std::array<double, 2> contact_force(State<2>& state) {
 
 TEST_CASE("Penetration times stiffness times the node's length, straight up; no force with a gap") {
   State<2> state = line_on_ground(0);
-  CHECK(load_inside(state)[1] == doctest::Approx(stiffness * 0.15 * 1e-3).epsilon(1e-12));
+  CHECK(load_inside(state)[1] == near(stiffness * 0.15 * 1e-3, 1e-12));
   for (int k = 0; k < 2; ++k)
     for (int a = 0; a < 2; ++a) CHECK(state.membranes[0].load[a][k] == 0);
   CHECK(state.membranes[0].load[0][2] == 0);
@@ -89,12 +91,12 @@ TEST_CASE("The length of a node is half of the segments beside it, also where a 
   m.x[1].assign(3, 0.999);
   load_inside(state);
   const double open[] = {0.2, 0.35, 0.15};
-  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == doctest::Approx(stiffness * 1e-3 * open[k]).epsilon(1e-11));
+  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == near(stiffness * 1e-3 * open[k], 1e-11));
   m.closed = true;
   m.rest_length.push_back(0.8);
   load_inside(state);
   const double closed[] = {0.6, 0.35, 0.55};
-  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == doctest::Approx(stiffness * 1e-3 * closed[k]).epsilon(1e-11));
+  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == near(stiffness * 1e-3 * closed[k], 1e-11));
 }
 
 TEST_CASE("Contact adds to the loads that are there") {
@@ -102,7 +104,7 @@ TEST_CASE("Contact adds to the loads that are there") {
   clear_membrane_loads(state);
   state.membranes[0].load[1][2] = 7;
   add_contact_forces(state, dt);
-  CHECK(state.membranes[0].load[1][2] == doctest::Approx(7 + stiffness * 0.15 * 1e-3).epsilon(1e-12));
+  CHECK(state.membranes[0].load[1][2] == near(7 + stiffness * 0.15 * 1e-3, 1e-12));
 }
 
 TEST_CASE("A slope pushes along its normal, and drags along itself only") {
@@ -113,13 +115,13 @@ TEST_CASE("A slope pushes along its normal, and drags along itself only") {
   state.membranes[0].v = {Array<double>{0, 0, -0.06}, Array<double>{0, 0, 0.08}};  // along the normal
   auto load = load_inside(state);
   const double push = stiffness * 0.15 * 1e-3;
-  CHECK(load[0] == doctest::Approx(-0.6 * push).epsilon(1e-9));
-  CHECK(load[1] == doctest::Approx(0.8 * push).epsilon(1e-9));
+  CHECK(load[0] == near(-0.6 * push, 1e-9));
+  CHECK(load[1] == near(0.8 * push, 1e-9));
   state.membranes[0].v = {Array<double>{0, 0, 0.008}, Array<double>{0, 0, 0.006}};  // along the slope, 1 cm/s
   load = load_inside(state);
   const double drag = stiffness * 0.15 * 0.01 * dt;
-  CHECK(load[0] == doctest::Approx(-0.6 * push - 0.8 * drag).epsilon(1e-9));
-  CHECK(load[1] == doctest::Approx(0.8 * push - 0.6 * drag).epsilon(1e-9));
+  CHECK(load[0] == near(-0.6 * push - 0.8 * drag, 1e-9));
+  CHECK(load[1] == near(0.8 * push - 0.6 * drag, 1e-9));
 }
 
 TEST_CASE("Friction sticks as a spring, slips at mu times the push, and always opposes the motion") {
@@ -128,17 +130,16 @@ TEST_CASE("Friction sticks as a spring, slips at mu times the push, and always o
     CAPTURE(sense);
     State<2> state = line_on_ground(mu);
     state.membranes[0].v[0][2] = sense * 0.02;  // 0.2 mm a step: slips from 0.5 mm on
-    for (int step = 1; step <= 2; ++step)
-      CHECK(load_inside(state)[0] == doctest::Approx(-sense * spring * 0.2e-3 * step).epsilon(1e-11));
+    for (int step = 1; step <= 2; ++step) CHECK(load_inside(state)[0] == near(-sense * spring * 0.2e-3 * step, 1e-11));
     for (int step = 0; step < 20; ++step)
       if (step > 0)
-        CHECK(load_inside(state)[0] == doctest::Approx(-sense * limit).epsilon(1e-11));
+        CHECK(load_inside(state)[0] == near(-sense * limit, 1e-11));
       else
         load_inside(state);
-    CHECK(state.membranes[0].load[1][2] == doctest::Approx(spring * 1e-3).epsilon(1e-11));
+    CHECK(state.membranes[0].load[1][2] == near(spring * 1e-3, 1e-11));
     // Turned round, the spring gives back what the limit left of it, not all that it was dragged along.
     state.membranes[0].v[0][2] = -sense * 0.02;
-    CHECK(load_inside(state)[0] == doctest::Approx(-sense * (limit - spring * 0.2e-3)).epsilon(1e-11));
+    CHECK(load_inside(state)[0] == near(-sense * (limit - spring * 0.2e-3), 1e-11));
   }
 }
 
@@ -167,7 +168,7 @@ TEST_CASE("A contact from a scene: unit normal, stiffness over the modulus of wa
   CHECK(state.rigid[0].normal == std::array<double, 2>{0, 1});
   CHECK(state.rigid[0].from[1] == 0);
   CHECK(contact.friction == 0.3);
-  CHECK(contact.stiffness == doctest::Approx(0.5 * 1200 * 100 * 100 / 0.2).epsilon(1e-12));
+  CHECK(contact.stiffness == near(0.5 * 1200 * 100 * 100 / 0.2, 1e-12));
   CHECK(contact.points.empty());
   CHECK(state.membranes[0].load[0].size() == state.membranes[0].nodes());
 }
@@ -178,7 +179,7 @@ TEST_CASE("A tube at rest on the ground weighs what it should") {
   State<2> state = build_state<2>(scene);
   CHECK(comes_to_rest(scene, state));
   const std::array<double, 2> force = contact_force(state);
-  CHECK(force[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+  CHECK(force[1] == near(weight(scene, state), 0.004));
   CHECK(std::abs(force[0]) < 0.01 * force[1]);
 }
 
@@ -189,13 +190,13 @@ TEST_CASE("A flat tube that a pump fills and lifts comes to rest, and weighs wha
   State<2> state = build_state<2>(scene);
   const double before = weight(scene, state);
   CHECK(comes_to_rest(scene, state));
-  CHECK(weight(scene, state) - before == doctest::Approx(1200 * 9.81 * 1.99).epsilon(1e-9));
-  CHECK(contact_force(state)[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+  CHECK(weight(scene, state) - before == near(1200 * 9.81 * 1.99, 1e-9));
+  CHECK(contact_force(state)[1] == near(weight(scene, state), 0.003));
 }
 
 TEST_CASE("An elastic block at rest on the ground weighs what it should") {
   const Scene scene = read_scene(source_path("tests/scenes/block.toml"));
   State<2> state = build_state<2>(scene);
   CHECK(comes_to_rest(scene, state));
-  CHECK(contact_force(state)[1] == doctest::Approx(weight(scene, state)).epsilon(0.01));
+  CHECK(contact_force(state)[1] == near(weight(scene, state), 6e-5));
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "grid/blocks.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -143,8 +144,8 @@ TEST_CASE("A pressure that grows linearly pushes each interior node by -grad p t
   const auto force = box.forces();
   const int node = box.grid.layout.index({9, 11}), beside_wall = box.grid.layout.index({9, 2});
   for (int a = 0; a < 2; ++a) {
-    CHECK(force[node][a] == doctest::Approx(-slope[a] * h * h).epsilon(1e-11));
-    CHECK(force[beside_wall][a] == doctest::Approx(-slope[a] * h * h).epsilon(1e-11));
+    CHECK(force[node][a] == near(-slope[a] * h * h, 1e-11));
+    CHECK(force[beside_wall][a] == near(-slope[a] * h * h, 1e-11));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <geodrop/graded_axis.hpp>
 
 #include "kernels/bases.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -58,9 +59,9 @@ TEST_CASE("A graded axis has a whole number of cells, as fine as asked in the zo
     for (int i = 1; i < map.cells(); ++i) {
       const double width = map.to_space(i + 1) - map.to_space(i), place = map.to_space(i + 0.5);
       CHECK(width <= 0.5);
-      if (std::abs(place) < 1.4) CHECK(width == doctest::Approx(0.1).epsilon(0.02));
+      if (std::abs(place) < 1.4) CHECK(width == near(0.1, 0.02));
       CHECK(std::max(width / before, before / width) < growth + 1e-9);
-      CHECK(map.to_grid(place) == doctest::Approx(i + 0.5).epsilon(1e-13));
+      CHECK(map.to_grid(place) == near(i + 0.5, 1e-13));
       CHECK(std::abs(map.to_space(map.cells() - i) + map.to_space(i)) < 1e-12);  // a mirror image of itself
       before = width;
     }
@@ -176,7 +177,7 @@ TEST_CASE("Cell integrals of graded axes are those of Gauss quadrature, slip and
       const double from = std::max(grid.layout.lower[1], knots[s].left);
       const double to = std::min(grid.layout.upper[1], knots[s].left + knots[s].width);
       width += grid.integrals[1].width[s];
-      CHECK(grid.integrals[1].width[s] * h == doctest::Approx(to - from).epsilon(1e-13));
+      CHECK(grid.integrals[1].width[s] * h == near(to - from, 1e-13));
       for (int entry = 0; entry < 3; ++entry) {
         CAPTURE(cell);
         CAPTURE(entry);
@@ -198,7 +199,7 @@ TEST_CASE("Cell integrals of graded axes are those of Gauss quadrature, slip and
         if (node > 0 && node < cells) CHECK(std::abs(grid.integrals[1].slope[s][entry] - folded(-1, true)) < 1e-13);
       }
     }
-    CHECK(width * h == doctest::Approx(3.0).epsilon(1e-14));
+    CHECK(width * h == near(3.0, 1e-14));
   }
 }
 
@@ -214,18 +215,18 @@ TEST_CASE("The integral of a node's spline is the mean of its three spans") {
         return side < 0 ? n.w2 : side == 0 ? n.w1 : n.w0;
       });
     }
-    CHECK(grid.layout.spline_width(0, node) * grid.layout.h == doctest::Approx(sum).epsilon(1e-13));
+    CHECK(grid.layout.spline_width(0, node) * grid.layout.h == near(sum, 1e-13));
   }
 }
 
 TEST_CASE("The finest cell is known; without zones it is the spacing") {
-  CHECK(finest_spacing(middle()) == doctest::Approx(0.1).epsilon(0.02));
+  CHECK(finest_spacing(middle()) == near(0.1, 0.004));
   CHECK(finest_spacing(middle()) <= 0.1);
   for (const GridSpec& spec : {middle(), middle(1.5), at_wall()})
-    CHECK(finest_spacing(spec) == doctest::Approx(KnotTable(spec, 0, pad).finest()).epsilon(1e-12));
+    CHECK(finest_spacing(spec) == near(KnotTable(spec, 0, pad).finest(), 1e-12));
   GridSpec narrow = middle();
   narrow.refine[0].to = -1.499;
-  CHECK(finest_spacing(narrow) == doctest::Approx(KnotTable(narrow, 0, pad).finest()).epsilon(1e-12));
+  CHECK(finest_spacing(narrow) == near(KnotTable(narrow, 0, pad).finest(), 1e-12));
   CHECK(make_grid<3>(graded_scene<3>(8, 1, WallKind::slip)).layout.finest <= 0.25);
   GridSpec plain = middle();
   plain.refine.clear();

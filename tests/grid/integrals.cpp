@@ -1,6 +1,7 @@
 // The layout of the grid, and the integrals of the basis over its cells against Gauss quadrature of the spline.
 #include <doctest/doctest.h>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -51,7 +52,7 @@ void check_axis(WallKind wall, Basis basis) {
   for (int cell = 0; cell <= cells; ++cell) {
     const int s = cell + GridLayout<2>::pad;
     const double from = std::max(0.0, cell - 0.5), to = std::min<double>(cells, cell + 0.5);
-    CHECK(grid.integrals[1].width[s] == doctest::Approx(to - from).epsilon(1e-15));
+    CHECK(grid.integrals[1].width[s] == near(to - from, 1e-15));
     for (int entry = 0; entry < 3; ++entry) {
       CAPTURE(cell);
       CAPTURE(entry);

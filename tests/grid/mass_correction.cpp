@@ -7,6 +7,7 @@
 
 #include "grid/momentum.hpp"
 #include "kernels/kernels.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -66,7 +67,7 @@ double difference_from_particles(Basis basis, int cells) {
       const double lumped = wave[flat][a] - grid.sum[flat][a] / grid.sum[flat][3];
       difference += std::pow(grid.velocity[flat][a] - wave[flat][a] - lumped, 2);
       size += lumped * lumped;
-      CHECK(grid.velocity_change[flat][a] == doctest::Approx(grid.velocity[flat][a]).epsilon(1e-12));
+      CHECK(grid.velocity_change[flat][a] == near(grid.velocity[flat][a], 1e-12));
     }
   });
   return std::sqrt(difference / size);

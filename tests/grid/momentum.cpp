@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -82,10 +83,10 @@ TEST_CASE("A heavy node takes v + dt (f / m + g), and the change is what was add
   grid.force[node] = Vec4{4e3, 1e3, 0, 0};
   nodes.gravity = {1, -10};
   nodes.update();
-  CHECK(grid.velocity[node][0] == doctest::Approx(1.5 + dt * (20 + 1)).epsilon(1e-14));
-  CHECK(grid.velocity[node][1] == doctest::Approx(-3 + dt * (5 - 10)).epsilon(1e-14));
-  CHECK(grid.velocity_change[node][0] == doctest::Approx(0.21).epsilon(1e-14));
-  CHECK(grid.velocity_change[node][1] == doctest::Approx(-0.05).epsilon(1e-14));
+  CHECK(grid.velocity[node][0] == near(1.5 + dt * (20 + 1), 1e-14));
+  CHECK(grid.velocity[node][1] == near(-3 + dt * (5 - 10), 1e-14));
+  CHECK(grid.velocity_change[node][0] == near(0.21, 1e-14));
+  CHECK(grid.velocity_change[node][1] == near(-0.05, 1e-14));
 }
 
 TEST_CASE("A light node is not thrown away by a force that belongs to its neighbourhood") {
@@ -101,8 +102,8 @@ TEST_CASE("A light node is not thrown away by a force that belongs to its neighb
   grid.force[light][0] = force;
   nodes.update();
   // Takes m / light_mass of the impulse on its own mass, i.e. 1 m/s, and shares the rest with 50 light masses.
-  CHECK(grid.velocity[light][0] == doctest::Approx(1 + 1.0 / 50).epsilon(1e-5));
-  CHECK(grid.velocity[heavy][0] == doctest::Approx(1.0 / 50).epsilon(1e-5));
+  CHECK(grid.velocity[light][0] == near(1 + 1.0 / 50, 6e-8));
+  CHECK(grid.velocity[heavy][0] == near(1.0 / 50, 3e-6));
 }
 
 TEST_CASE("What pushes a node without mass, as a skin beyond the particles does, pushes its neighbourhood") {
@@ -116,7 +117,7 @@ TEST_CASE("What pushes a node without mass, as a skin beyond the particles does,
   grid.force[empty][1] = grid.light_mass / dt;
   grid.force[far][1] = grid.light_mass / dt;  // nothing near that could move
   nodes.update();
-  CHECK(grid.velocity[heavy][1] == doctest::Approx(1.0 / 50).epsilon(1e-14));
+  CHECK(grid.velocity[heavy][1] == near(1.0 / 50, 1e-14));
   CHECK(grid.velocity[empty][1] == 0);
   CHECK(grid.velocity[far][1] == 0);
 }
@@ -173,9 +174,9 @@ TEST_CASE("On graded axes a node is light by what its own spline holds") {
   grid.force[node][0] = 1;
   grid.sum[node + 1][3] = 1e3 * own;  // takes what a light node cannot
   update_momentum<2>(grid, {0, 0}, dt);
-  CHECK(grid.velocity[node][0] == doctest::Approx(dt / (2 * own)).epsilon(1e-12));
+  CHECK(grid.velocity[node][0] == near(dt / (2 * own), 1e-12));
   // Half as heavy as light, it keeps half of its impulse, and with it the velocity of a light node.
   grid.sum[node][3] = 0.5 * own;
   update_momentum<2>(grid, {0, 0}, dt);
-  CHECK(grid.velocity[node][0] == doctest::Approx(dt / own).epsilon(2e-3));
+  CHECK(grid.velocity[node][0] == near(dt / own, 0.0015));
 }

@@ -4,6 +4,7 @@
 #include "grid/momentum.hpp"
 #include "grid/sort_particles.hpp"
 #include "kernels/kernels.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -90,7 +91,7 @@ TEST_CASE("Folding at all walls and corners keeps the mass, and leaves nothing b
         return;
       }
   });
-  CHECK(mass == doctest::Approx(expected).epsilon(1e-12));
+  CHECK(mass == near(expected, 1e-12));
   CHECK(beyond == 0);
 }
 

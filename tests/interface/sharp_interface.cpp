@@ -9,6 +9,7 @@
 #include "interface/interface_cells.hpp"
 #include "interface/interface_constraint.hpp"
 #include "membrane/polygon.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
 
@@ -91,7 +92,7 @@ TEST_CASE("Joining conserves momentum to round-off, also where nodes are nearly 
     for (int a = 0; a < 2; ++a) {
       const double given = inside_after[a] - inside[a], taken = around[a] - around_after[a];
       CHECK(std::abs(given) > 1);  // something was exchanged
-      CHECK(given == doctest::Approx(taken).epsilon(1e-10));
+      CHECK(given == near(taken, 1e-10));
     }
   }
 }
@@ -135,7 +136,7 @@ TEST_CASE("Both sides have all of a cut cell's splines between them") {
         for (const double value : part.elsewhere) elsewhere += value;
         const int column = part.flat % layout.stride[1] - layout.pad, row = part.flat / layout.stride[1] - layout.pad;
         const double area = layout.span_width(0, column) * layout.span_width(1, row) * layout.h * layout.h;
-        CHECK(elsewhere == doctest::Approx(grid.taken[part.flat] * area));
+        CHECK(elsewhere == within(grid.taken[part.flat] * area, 1e-15));
       }
   }
 }
@@ -169,7 +170,7 @@ TEST_CASE("A field that expands evenly flows out of both parts of a cell by thei
       const double whole = layout.knots[0][column].width * layout.knots[1][row].width;
       const double share = 1 - grid.taken[part.flat];
       if (share > 1e-9 && share < 1 - 1e-9) ++cut;
-      if (grid.field == 1) CHECK(flow == doctest::Approx(3 * share * whole).epsilon(1e-10));
+      if (grid.field == 1) CHECK(flow == near(3 * share * whole, 1e-10));
     }
   CHECK(cut > 20);
 }
@@ -183,7 +184,7 @@ TEST_CASE("Volume rates of parts are the flow out of them") {
       REQUIRE(!grid.part_cells.empty());
       const auto [flow, rates] = flow_and_rates(grid);
       CHECK(std::abs(flow) > 1e-3);
-      CHECK(rates == doctest::Approx(flow).epsilon(1e-10));
+      CHECK(rates == near(flow, 1e-10));
     }
   }
 }
@@ -200,7 +201,7 @@ TEST_CASE("An even pressure inside and around leaves everything at rest") {
     for (int k = 0; k < 5; ++k) fall.step();
     // One step with a node out of balance by P h would give dt P / (rho h), about 0.1 m/s.
     CHECK(fall.state.v_max < 1e-6);
-    for (const double p : fall.membrane().water_pressure) CHECK(p == doctest::Approx(pressure).epsilon(1e-6));
+    for (const double p : fall.membrane().water_pressure) CHECK(p == near(pressure, 2e-7));
   }
 }
 
@@ -210,7 +211,7 @@ TEST_CASE("Both fields have all of a cut cell between them") {
   double area = 0;
   for (std::size_t c = 0; c < inside.taken.size(); ++c) area += around.taken[c];
   const double exact = std::abs(signed_area(fall.membrane().x[0], fall.membrane().x[1]));
-  CHECK(area * 0.25 == doctest::Approx(exact).epsilon(1e-2));  // of the step before
+  CHECK(area * 0.25 == near(exact, 3e-8));  // of the step before
   for (const PartCell& part : inside.part_cells)
-    CHECK(inside.taken[part.flat] + around.taken[part.flat] == doctest::Approx(1));
+    CHECK(inside.taken[part.flat] + around.taken[part.flat] == near(1, 1e-12));
 }

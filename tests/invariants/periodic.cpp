@@ -4,10 +4,12 @@
 
 #include "grid/momentum.hpp"
 #include "kernels/kernels.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -91,7 +93,7 @@ void check_momentum(const std::vector<std::string>& overrides) {
   const auto before = drift.momentum_and_mass();
   while (drift.state.t < 4.0) drift.run(1);  // 4 m/s along x: three lengths of 5 m
   const auto after = drift.momentum_and_mass();
-  CHECK(after[2] == doctest::Approx(before[2]).epsilon(1e-14));
+  CHECK(after[2] == near(before[2], 1e-14));
   for (int a = 0; a < 2; ++a) CHECK(std::abs(after[a] - before[a]) <= 1e-12 * 4 * before[2]);
   const GridLayout<2>& layout = drift.grid.front().layout;
   for (const Body<2>& body : drift.state.bodies)
@@ -151,6 +153,6 @@ TEST_CASE("In three dimensions particles up to a cell beyond periodic walls give
     apart = std::max(apart, 1e-6 * test::largest_component(beyond.force[flat] - inside.force[flat]));  // of 1e5 N
     if (i[0] < 6 && i[1] < 6 && i[2] < 6) mass += beyond.sum[flat][3];
   });
-  CHECK(mass == doctest::Approx(expected).epsilon(1e-12));
+  CHECK(mass == near(expected, 1e-12));
   CHECK(apart < 1e-11);
 }

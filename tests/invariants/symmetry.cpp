@@ -4,9 +4,11 @@
 
 #include <map>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -45,7 +47,7 @@ TEST_CASE("The order of the bodies in the scene changes nothing beyond round-off
   Scene reversed = scene;
   std::reverse(reversed.bodies.begin(), reversed.bodies.end());
   const State<2> one = run_steps(scene, 60), two = run_steps(reversed, 60);
-  CHECK(one.t == doctest::Approx(two.t).epsilon(1e-12));
+  CHECK(one.t == near(two.t, 1e-12));
   for (const std::string name : {"water", "bed", "container"}) {
     CAPTURE(name);
     const Body<2>&a = body_named(one, name), &b = body_named(two, name);

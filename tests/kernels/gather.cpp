@@ -4,6 +4,7 @@
 
 #include "grid/momentum.hpp"
 #include "kernels/kernels.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -137,12 +138,12 @@ TEST_CASE("Between the limits the blend is a (v + dv) + (1 - a) v', and damping 
   body.v[1].assign(9, 8.0);
   const Maxima maxima = gather<2>(body, grid, {Transfer::blend, dt, 0.75, 0.5}, 0, 9);
   for (int p = 0; p < 9; ++p) {
-    CHECK(body.v[0][p] == doctest::Approx(0.5 * (0.75 * 4.5 + 0.25 * 2)).epsilon(1e-14));
-    CHECK(body.v[1][p] == doctest::Approx(0.5 * (0.75 * 8.25 - 0.25 * 1)).epsilon(1e-14));
-    CHECK(body.x[0][p] == doctest::Approx(1.7 + dt * 2).epsilon(1e-14));
+    CHECK(body.v[0][p] == near(0.5 * (0.75 * 4.5 + 0.25 * 2), 1e-14));
+    CHECK(body.v[1][p] == near(0.5 * (0.75 * 8.25 - 0.25 * 1), 1e-14));
+    CHECK(body.x[0][p] == near(1.7 + dt * 2, 1e-14));
   }
-  CHECK(maxima.speed2 == doctest::Approx(std::pow(body.v[0][0], 2) + std::pow(body.v[1][0], 2)).epsilon(1e-14));
-  CHECK(maxima.displacement == doctest::Approx(dt * 2).epsilon(1e-12));
+  CHECK(maxima.speed2 == near(std::pow(body.v[0][0], 2) + std::pow(body.v[1][0], 2), 1e-14));
+  CHECK(maxima.displacement == near(dt * 2, 1e-12));
 }
 
 TEST_CASE("A speed that is not a number is not lost among the maxima, whichever particle has it") {
@@ -170,8 +171,8 @@ TEST_CASE("In filled cells a body with cell pressure changes volume with its cel
     body.pressure = support;
     body.x = {Array<double>{1.1, 3.1}, Array<double>{2, 2}};
     gather<2>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 2);
-    CHECK(body.J[0] == doctest::Approx(support == PressureSupport::cell ? 1.03 : own).epsilon(1e-13));
-    CHECK(body.J[1] == doctest::Approx(own).epsilon(1e-13));
+    CHECK(body.J[0] == near(support == PressureSupport::cell ? 1.03 : own, 1e-13));
+    CHECK(body.J[1] == near(own, 1e-13));
   }
 }
 
@@ -192,7 +193,7 @@ TEST_CASE("Water shifts down the gradient of the fill ratio by h dt (|v| + v0), 
   body.x = {Array<double>{0.6, 3.0}, Array<double>{2, 2}};
   gather<2>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 2);
   const double step = -h * dt * (std::hypot(3, 4 + 2 * 0.6) + 0.5) * slope;
-  CHECK(body.x[0][0] == doctest::Approx(0.6 + 3 * dt + step).epsilon(1e-13));
-  CHECK(body.v[1][0] == doctest::Approx(4 + 2 * 0.6 + 2 * step).epsilon(1e-13));
-  CHECK(body.x[0][1] == doctest::Approx(3.0 + 3 * dt).epsilon(1e-13));
+  CHECK(body.x[0][0] == near(0.6 + 3 * dt + step, 1e-13));
+  CHECK(body.v[1][0] == near(4 + 2 * 0.6 + 2 * step, 1e-13));
+  CHECK(body.x[0][1] == near(3.0 + 3 * dt, 1e-13));
 }

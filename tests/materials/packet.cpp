@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "support/near.hpp"
+
 namespace {
 
 using namespace geodrop;
@@ -88,7 +90,7 @@ TEST_CASE("The logarithm of a packet is that of each lane, over all magnitudes")
   const Lanes edge = unpack(log(pack({1.0, 0.0, -2.0, std::nan(""), 2.0, 0.5, 4.0, 1e300})));
   CHECK(edge[0] == 0);
   for (const int k : {1, 2, 3}) CHECK(std::isnan(edge[k]));
-  CHECK(edge[4] == doctest::Approx(std::log(2.0)));
+  CHECK(edge[4] == near(std::log(2.0), 1e-12));
   CHECK(std::isnan(geodrop::log(-1.0)));
 }
 

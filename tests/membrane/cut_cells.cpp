@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -116,7 +117,7 @@ TEST_CASE("A rectangle, worked by hand") {
   double sum = 0;
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 4; ++i) {
-      CHECK(cells.area[around(cells, 2 + i, 2 + j)] == doctest::Approx(share_x[i] * share_y[j]).epsilon(1e-13));
+      CHECK(cells.area[around(cells, 2 + i, 2 + j)] == near(share_x[i] * share_y[j], 1e-13));
       sum += share_x[i] * share_y[j];
     }
   for (const double share : cells.area) sum -= share;
@@ -134,12 +135,12 @@ TEST_CASE("A rectangle, worked by hand") {
 TEST_CASE("A triangle, worked by hand: its long side runs through corners of cells") {
   const EnclosedCells cells = cut({{1.0, 2.0, 1.0}, {1.0, 1.0, 2.0}});
   const auto share = [&](int i, int j) { return cells.area[around(cells, i, j)]; };
-  CHECK(share(2, 2) == doctest::Approx(0.25).epsilon(1e-13));
-  CHECK(share(3, 2) == doctest::Approx(0.5).epsilon(1e-13));
-  CHECK(share(2, 3) == doctest::Approx(0.5).epsilon(1e-13));
-  CHECK(share(3, 3) == doctest::Approx(0.5).epsilon(1e-13));
-  CHECK(share(4, 2) == doctest::Approx(0.125).epsilon(1e-13));
-  CHECK(share(2, 4) == doctest::Approx(0.125).epsilon(1e-13));
+  CHECK(share(2, 2) == near(0.25, 1e-13));
+  CHECK(share(3, 2) == near(0.5, 1e-13));
+  CHECK(share(2, 3) == near(0.5, 1e-13));
+  CHECK(share(3, 3) == near(0.5, 1e-13));
+  CHECK(share(4, 2) == near(0.125, 1e-13));
+  CHECK(share(2, 4) == near(0.125, 1e-13));
   CHECK(std::abs(share(4, 3)) + std::abs(share(3, 4)) + std::abs(share(4, 4)) < 1e-13);
   check_moments(cells.right_face[around(cells, 2, 3)], {1, 0, 1.0 / 12});
   check_moments(cells.right_face[around(cells, 3, 2)], {0.5, 0.125, 1.0 / 24});
@@ -150,9 +151,9 @@ TEST_CASE("An outline along the faces of cells") {
   const EnclosedCells cells = cut({{0.75, 1.75, 1.75, 0.75}, {1.25, 1.25, 1.75, 1.75}});
   double sum = 0;
   for (const double share : cells.area) sum += share;
-  CHECK(sum == doctest::Approx(2).epsilon(1e-13));
-  CHECK(cells.area[around(cells, 2, 3)] == doctest::Approx(1).epsilon(1e-13));
-  CHECK(cells.area[around(cells, 3, 3)] == doctest::Approx(1).epsilon(1e-13));
+  CHECK(sum == near(2, 1e-13));
+  CHECK(cells.area[around(cells, 2, 3)] == near(1, 1e-13));
+  CHECK(cells.area[around(cells, 3, 3)] == near(1, 1e-13));
 }
 
 TEST_CASE("The shares of a ragged outline add up to its area, none is below 0 or above 1") {
@@ -233,8 +234,8 @@ TEST_CASE("The pieces of an edge add up to it, each lies in its cell") {
     end[k] += 0.5 * (piece.to * piece.to - piece.from * piece.from);
   }
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    CHECK(start[k] == doctest::Approx(0.5).epsilon(1e-12));
-    CHECK(end[k] == doctest::Approx(0.5).epsilon(1e-12));
+    CHECK(start[k] == near(0.5, 1e-12));
+    CHECK(end[k] == near(0.5, 1e-12));
   }
 }
 
@@ -264,14 +265,14 @@ TEST_CASE("Cells of unlike width, worked by hand: a rectangle, and splines over 
   // node below 1/3 at its beginning.
   const FaceMoments whole{1, 0, 1.0 / 12};
   const auto [below, own, above] = face_integrals(whole, 1.0 / 3, 2.0 / 3);
-  CHECK(below == doctest::Approx(1.0 / 9));  // 1/3 int t^2
-  CHECK(above == doctest::Approx(2.0 / 9));
-  CHECK(own == doctest::Approx(2.0 / 3));
+  CHECK(below == near(1.0 / 9, 1e-12));  // 1/3 int t^2
+  CHECK(above == near(2.0 / 9, 1e-12));
+  CHECK(own == near(2.0 / 3, 1e-12));
   const FaceMoments upper_half{0.5, 0.125, 1.0 / 24};
   const auto [below_2, own_2, above_2] = face_integrals(upper_half, 1.0 / 3, 2.0 / 3);
-  CHECK(below_2 == doctest::Approx(1.0 / 72));  // 1/3 of int t^2 from 0 to 1/2
-  CHECK(above_2 == doctest::Approx(7.0 / 36));  // 2/3 of int t^2 from 1/2 to 1
-  CHECK(own_2 == doctest::Approx(0.5 - 15.0 / 72));
+  CHECK(below_2 == near(1.0 / 72, 1e-12));  // 1/3 of int t^2 from 0 to 1/2
+  CHECK(above_2 == near(7.0 / 36, 1e-12));  // 2/3 of int t^2 from 1/2 to 1
+  CHECK(own_2 == near(0.5 - 15.0 / 72, 1e-12));
 }
 
 TEST_CASE("Cells are made anew for each outline") {

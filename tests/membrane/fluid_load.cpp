@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "support/near.hpp"
 #include "support/small_state.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -35,12 +37,12 @@ TEST_CASE("A linear pressure on a part of an edge, worked by hand") {
   // int p (1 - t) dt and int p t dt over [1/4, 3/4] with p = 40 t: 20 (9 - 1)/16 - 40 (27 - 1)/192, and 40 (27 -
   // 1)/192.
   const double at_end = 40.0 * 26 / 192, at_start = 20.0 * 8 / 16 - at_end;
-  CHECK(m.load[1][0] == doctest::Approx(-2 * at_start).epsilon(1e-13));
-  CHECK(m.load[1][1] == doctest::Approx(-2 * at_end).epsilon(1e-13));
+  CHECK(m.load[1][0] == near(-2 * at_start, 1e-13));
+  CHECK(m.load[1][1] == near(-2 * at_end, 1e-13));
   CHECK(m.load[0] == Array<double>(4, 0.0));
   add_pressure({0, 1, 5, 5}, 1, 3, m);  // the edge that closes the loop, on the left
-  CHECK(m.load[0][3] == doctest::Approx(-5).epsilon(1e-13));
-  CHECK(m.load[0][0] == doctest::Approx(-5).epsilon(1e-13));
+  CHECK(m.load[0][3] == near(-5, 1e-13));
+  CHECK(m.load[0][0] == near(-5, 1e-13));
 }
 
 TEST_CASE("What a still fluid lifts is the weight of the fluid displaced, in either sense of the outline") {
@@ -65,8 +67,8 @@ TEST_CASE("The push on a wall that is partly wet: gamma d^2 / 2, at a third of t
   add_still_fluids(still_fluids(square.scene), square.state);
   const Array<double>& load = square.membrane().load[0];
   const double push = 1e4 * 1.2 * 1.2 / 2;
-  CHECK(load[1] + load[2] == doctest::Approx(-push).epsilon(1e-12));      // the right edge, from node 1 up to 2
-  CHECK(2 * load[2] == doctest::Approx(-push * 1.2 / 3).epsilon(1e-12));  // its moment about the lower end
+  CHECK(load[1] + load[2] == near(-push, 1e-12));      // the right edge, from node 1 up to 2
+  CHECK(2 * load[2] == near(-push * 1.2 / 3, 1e-12));  // its moment about the lower end
 }
 
 TEST_CASE("Still fluids press only on the membrane that they stand around") {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "membrane/membrane_force.hpp"
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -53,15 +54,15 @@ TEST_CASE("A membrane brings its mass and momentum to the grid; its forces have 
     fy += grid.force[flat][1];
     virial += 0.5 * (i[0] * grid.force[flat][0] + i[1] * grid.force[flat][1]);
   });
-  CHECK(mass == doctest::Approx(8).epsilon(1e-14));
-  CHECK(px == doctest::Approx(3 * 1 - 1 * 2 + 2 * 5).epsilon(1e-13));
-  CHECK(py == doctest::Approx(0.5 * 1 + 4 * 2 - 2 * 5).epsilon(1e-13));
+  CHECK(mass == near(8, 1e-14));
+  CHECK(px == near(3 * 1 - 1 * 2 + 2 * 5, 1e-13));
+  CHECK(py == near(0.5 * 1 + 4 * 2 - 2 * 5, 1e-13));
   CHECK(std::abs(fx) < 1e-9);
   CHECK(std::abs(fy) < 1e-9);
   // sum x . f = -sum T L: only the first segment, sqrt(0.5) long, is stretched.
   const double L = std::sqrt(0.5), T = 1e4 * (L / 0.6 - 1);
-  CHECK(virial == doctest::Approx(-T * L).epsilon(1e-12));
-  CHECK(state.membranes[0].tension[0] == doctest::Approx(T).epsilon(1e-13));
+  CHECK(virial == near(-T * L, 1e-12));
+  CHECK(state.membranes[0].tension[0] == near(T, 1e-13));
   CHECK(state.membranes[0].tension[1] == 0);
 }
 
@@ -90,16 +91,16 @@ TEST_CASE("Membrane nodes and tracers move with the grid; a linear field exactly
   double largest = 0;
   for (int k = 0; k < 3; ++k) {
     const double x = before.x[0][k], y = before.x[1][k], u = 1 + 2 * x - y, v = 3 * y;
-    CHECK(state.membranes[0].v[0][k] == doctest::Approx(u).epsilon(1e-13));
-    CHECK(state.membranes[0].v[1][k] == doctest::Approx(v).epsilon(1e-13));
-    CHECK(state.membranes[0].x[0][k] == doctest::Approx(x + dt * u).epsilon(1e-13));
-    CHECK(state.membranes[0].x[1][k] == doctest::Approx(y + dt * v).epsilon(1e-13));
+    CHECK(state.membranes[0].v[0][k] == near(u, 1e-13));
+    CHECK(state.membranes[0].v[1][k] == near(v, 1e-13));
+    CHECK(state.membranes[0].x[0][k] == near(x + dt * u, 1e-13));
+    CHECK(state.membranes[0].x[1][k] == near(y + dt * v, 1e-13));
     largest = std::max({largest, std::abs(dt * u), std::abs(dt * v)});
   }
   CHECK(state.drift >= 0.1 + largest * (1 - 1e-12));
-  CHECK(state.tracers[0].v[0] == doctest::Approx(1.0).epsilon(1e-13));
-  CHECK(state.tracers[0].v[1] == doctest::Approx(7.8).epsilon(1e-13));
-  CHECK(state.tracers[0].x[1] == doctest::Approx(2.678).epsilon(1e-13));
+  CHECK(state.tracers[0].v[0] == near(1.0, 1e-13));
+  CHECK(state.tracers[0].v[1] == near(7.8, 1e-13));
+  CHECK(state.tracers[0].x[1] == near(2.678, 1e-13));
   CHECK(state.tracers[0].initial_x[0] == 1);
 }
 
@@ -113,7 +114,7 @@ TEST_CASE("Membrane nodes blend like particles: a (v + dv) + (1 - a) v', damped"
   state.damping_rate = 20;
   grid_to_membranes(solver, state, grid, dt);
   const double a = std::exp(-0.5), d = std::exp(-0.2);
-  CHECK(state.membranes[0].v[0][0] == doctest::Approx(d * (a * (3 + 0.16) + (1 - a) * 2.1)).epsilon(1e-12));
-  CHECK(state.membranes[0].v[1][1] == doctest::Approx(d * (a * (4 - 0.2) + (1 - a) * 6.6)).epsilon(1e-12));
-  CHECK(state.membranes[0].x[0][0] == doctest::Approx(1.6 + dt * 2.1).epsilon(1e-13));
+  CHECK(state.membranes[0].v[0][0] == near(d * (a * (3 + 0.16) + (1 - a) * 2.1), 1e-12));
+  CHECK(state.membranes[0].v[1][1] == near(d * (a * (4 - 0.2) + (1 - a) * 6.6), 1e-12));
+  CHECK(state.membranes[0].x[0][0] == near(1.6 + dt * 2.1, 1e-13));
 }

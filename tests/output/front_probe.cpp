@@ -7,9 +7,11 @@
 #include <geodrop/pipeline.hpp>
 #include <geodrop/scene_reader.hpp>
 
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -27,8 +29,8 @@ TEST_CASE("The fronts of a roof lie where it is as thick as told, at any spacing
   for (const char* spacing : {"0.1", "0.05"}) {
     const Scene scene = roof(spacing);
     const HeapFronts fronts = heap_fronts(scene.grid, {"heap", "column", 0.2}, build_state<2>(scene).bodies[0]);
-    CHECK(fronts.left == doctest::Approx(1.4).epsilon(0.005));
-    CHECK(fronts.right == doctest::Approx(4.6).epsilon(0.002));
+    CHECK(fronts.left == near(1.4, 1e-12));
+    CHECK(fronts.right == near(4.6, 1e-12));
   }
 }
 
@@ -40,16 +42,16 @@ TEST_CASE("Lone particles ahead are left out; at a wall the heap ends at the wal
   heap.x[0][0] = 5.95;
   heap.x[0][1] = 5.5;
   const HeapFronts fronts = heap_fronts(scene.grid, {"heap", "column", 0.2}, heap);
-  CHECK(fronts.right == doctest::Approx(before).epsilon(0.001));
+  CHECK(fronts.right == near(before, 1e-12));
   for (double& x : heap.x[0]) x -= 2.95;
-  CHECK(heap_fronts(scene.grid, {"heap", "column", 0.2}, heap).left == doctest::Approx(0.0));
+  CHECK(heap_fronts(scene.grid, {"heap", "column", 0.2}, heap).left == near_zero(1e-12));
 }
 
 TEST_CASE("What is nowhere as thick as told has both fronts where it is thickest") {
   const Scene scene = roof("0.1");
   const HeapFronts fronts = heap_fronts(scene.grid, {"heap", "column", 1.5}, build_state<2>(scene).bodies[0]);
   CHECK(fronts.left == fronts.right);
-  CHECK(fronts.left == doctest::Approx(3.0).epsilon(0.02));
+  CHECK(fronts.left == near(3.0, 0.02));
 }
 
 TEST_CASE("Both fronts are columns of the history") {
@@ -57,6 +59,6 @@ TEST_CASE("Both fronts are columns of the history") {
   const std::vector<std::string> columns = history_columns(scene);
   const std::vector<double> row = history_row(scene, build_state<2>(scene), {columns, {}});
   const auto value = [&](const std::string& name) { return row[HistoryTable{columns, {}}.find(name)]; };
-  CHECK(value("heap.left_m") == doctest::Approx(1.4).epsilon(0.005));
-  CHECK(value("heap.right_m") == doctest::Approx(4.6).epsilon(0.002));
+  CHECK(value("heap.left_m") == near(1.4, 1e-12));
+  CHECK(value("heap.right_m") == near(4.6, 1e-12));
 }

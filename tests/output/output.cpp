@@ -6,6 +6,7 @@
 #include "output/console.hpp"
 #include "output/run_directory.hpp"
 #include "output/text.hpp"
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 #include "support/small_state.hpp"
 #include "support/text.hpp"
@@ -19,6 +20,7 @@
 #include <string>
 
 using namespace geodrop;
+using namespace geodrop::test;
 using geodrop::test::contains;
 
 namespace {
@@ -95,7 +97,7 @@ TEST_CASE("a run leaves the files that users and scripts rely on") {
   const Scene scene = scene_with_results();
   const Summary summary = run_whole(scene, directory / "run");
   CHECK(summary.expectations_met);
-  CHECK(summary.results.at(0).value == doctest::Approx(10));
+  CHECK(summary.results.at(0).value == near(10, 1e-12));
 
   CHECK(read_file(directory / "run/scene.toml") == scene.as_run);
   CHECK(count_lines(read_file(directory / "run/history.csv")) == 1 + 5);  // header; t = 0, 0.25, ... 1

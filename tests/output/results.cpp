@@ -2,6 +2,7 @@
 #include <geodrop/error.hpp>
 #include <geodrop/results.hpp>
 
+#include "support/near.hpp"
 #include "support/small_state.hpp"
 
 #include <doctest/doctest.h>
@@ -12,6 +13,7 @@
 #include <numbers>
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -53,9 +55,9 @@ TEST_CASE("last, least, largest, mean, rms in a window of time, scaled") {
   CHECK(reduce(spec, history) == -18);
   spec.scale = 1;
   spec.reduce = Reduction::mean;
-  CHECK(reduce(spec, history) == doctest::Approx(14 / 3.0));
+  CHECK(reduce(spec, history) == near(14 / 3.0, 1e-12));
   spec.reduce = Reduction::rms;
-  CHECK(reduce(spec, history) == doctest::Approx(std::sqrt(98 / 3.0)));
+  CHECK(reduce(spec, history) == near(std::sqrt(98 / 3.0), 1e-12));
 }
 
 TEST_CASE("rows without a value do not count, no rows give no number") {
@@ -71,7 +73,7 @@ TEST_CASE("percentile is linear between neighbours") {
   const HistoryTable history = table_of({[](double t) { return 10 - t; }}, 1.0, 11);
   ResultSpec spec = spec_of(Reduction::percentile);
   spec.percentile = 95;
-  CHECK(reduce(spec, history) == doctest::Approx(9.5));
+  CHECK(reduce(spec, history) == near(9.5, 1e-12));
   spec.percentile = 0;
   CHECK(reduce(spec, history) == 0);
   spec.percentile = 100;
@@ -84,24 +86,21 @@ TEST_CASE("period of a sine, with an offset and with damping") {
   const auto sine = [&](double t) { return std::sin(2 * pi * t / period + 1); };
   // The crossings of rows 0.01 apart are found by straight lines: an error of (2 pi dt / T)^3 / 100 of a period at
   // most.
-  CHECK(reduce(spec, table_of({sine}, 0.01, 1000)) == doctest::Approx(period).epsilon(1e-5));
-  CHECK(reduce(spec, table_of({[&](double t) { return sine(t) + 0.4; }}, 0.01, 993)) ==
-        doctest::Approx(period).epsilon(1e-4));
-  CHECK(reduce(spec, table_of({[&](double t) { return std::exp(-t) * sine(t); }}, 0.01, 400)) ==
-        doctest::Approx(period).epsilon(1e-4));
+  CHECK(reduce(spec, table_of({sine}, 0.01, 1000)) == near(period, 1e-12));
+  CHECK(reduce(spec, table_of({[&](double t) { return sine(t) + 0.4; }}, 0.01, 993)) == near(period, 1e-12));
+  CHECK(reduce(spec, table_of({[&](double t) { return std::exp(-t) * sine(t); }}, 0.01, 400)) == near(period, 1e-12));
   CHECK(std::isnan(reduce(spec, table_of({sine}, 0.01, 60))));  // less than one period
   // One rising crossing between two falling ones, and the other way round.
   const auto short_sine = [&](double t) { return std::sin(2 * pi * t / period + 3); };
-  CHECK(reduce(spec, table_of({short_sine}, 0.01, 75)) == doctest::Approx(period).epsilon(1e-4));
-  CHECK(reduce(spec, table_of({[&](double t) { return -short_sine(t); }}, 0.01, 75)) ==
-        doctest::Approx(period).epsilon(1e-4));
+  CHECK(reduce(spec, table_of({short_sine}, 0.01, 75)) == near(period, 1e-12));
+  CHECK(reduce(spec, table_of({[&](double t) { return -short_sine(t); }}, 0.01, 75)) == near(period, 1e-12));
 }
 
 TEST_CASE("first time below a level") {
   ResultSpec spec = spec_of(Reduction::first_time_below);
   spec.level = 2.5;
   const HistoryTable falling = table_of({[](double t) { return 4 - t; }}, 1.0, 6);
-  CHECK(reduce(spec, falling) == doctest::Approx(1.5));
+  CHECK(reduce(spec, falling) == near(1.5, 1e-12));
   spec.level = 5;
   CHECK(reduce(spec, falling) == 0);
   spec.level = -2;
@@ -113,7 +112,7 @@ TEST_CASE("rms difference at given times, between rows") {
   spec.times = {0.5, 2.0};
   spec.values = {4, -1};
   const HistoryTable history = table_of({[](double t) { return 2 * t; }}, 1.0, 3);
-  CHECK(reduce(spec, history) == doctest::Approx(std::sqrt((9 + 25) / 2.0)));
+  CHECK(reduce(spec, history) == near(std::sqrt((9 + 25) / 2.0), 1e-12));
   spec.times = {0.5, 2.1};
   CHECK(std::isnan(reduce(spec, history)));  // after the last row
 }
@@ -122,23 +121,23 @@ TEST_CASE("r squared") {
   ResultSpec spec = spec_of(Reduction::r_squared);
   spec.against = "b";
   CHECK(reduce(spec, table_of({[](double t) { return 3 - 2 * t; }, [](double t) { return t; }}, 1.0, 5)) ==
-        doctest::Approx(1));
+        near(1, 1e-12));
   // a = 0 1 0 over b = 0 1 2 has no slope; a = 0 1 0 1 over 0 1 2 3: sxy = 1, sxx = 5, syy = 1
   const auto zigzag = [](double t) { return std::fmod(t, 2.0); };
-  CHECK(reduce(spec, table_of({zigzag, [](double t) { return t; }}, 1.0, 3)) == doctest::Approx(0));
+  CHECK(reduce(spec, table_of({zigzag, [](double t) { return t; }}, 1.0, 3)) == near_zero(1e-12));
   HistoryTable history = table_of({zigzag, [](double t) { return t; }}, 1.0, 4);
-  CHECK(reduce(spec, history) == doctest::Approx(1 / 5.0));
+  CHECK(reduce(spec, history) == near(1 / 5.0, 1e-12));
   // A gap in either column leaves out the row of both.
   history.rows.push_back({4, std::nan(""), 7});
   history.rows.push_back({5, 7, std::nan("")});
-  CHECK(reduce(spec, history) == doctest::Approx(1 / 5.0));
+  CHECK(reduce(spec, history) == near(1 / 5.0, 1e-12));
 }
 
 TEST_CASE("slope of the best straight line") {
   const ResultSpec spec = spec_of(Reduction::slope);
-  CHECK(reduce(spec, table_of({[](double t) { return 3 - 2 * t; }}, 0.5, 5)) == doctest::Approx(-2));
+  CHECK(reduce(spec, table_of({[](double t) { return 3 - 2 * t; }}, 0.5, 5)) == near(-2, 1e-12));
   // 0 0 0 0 10 over 0..4: sum (t - 2) y = 20, sum (t - 2)^2 = 10
-  CHECK(reduce(spec, table_of({[](double t) { return t > 3 ? 10.0 : 0.0; }}, 1.0, 5)) == doctest::Approx(2));
+  CHECK(reduce(spec, table_of({[](double t) { return t > 3 ? 10.0 : 0.0; }}, 1.0, 5)) == near(2, 1e-12));
   CHECK(std::isnan(reduce(spec, table_of({[](double t) { return t; }}, 1.0, 1))));
 }
 
@@ -155,7 +154,7 @@ TEST_CASE("windows that begin or end with an event") {
   scene.results = {event, later, sooner};
   const HistoryTable falling = table_of({[](double t) { return 4 - t; }}, 1.0, 6);
   auto results = reduce_all(scene, falling);
-  CHECK(results[0].value == doctest::Approx(1.5));
+  CHECK(results[0].value == near(1.5, 1e-12));
   CHECK(results[1].value == 2);
   CHECK(results[2].value == 3);
   scene.results[0].level = -9;  // never

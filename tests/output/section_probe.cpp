@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -51,12 +53,12 @@ TEST_CASE("A block under uniform stress: stress times height over every section,
     body.stress[1].assign(body.size(), 300.0);  // no matter
     for (const double x : sections) {
       CAPTURE(x);
-      CHECK(over(x, scene, state).soil == doctest::Approx(1000.0 * 1.0).epsilon(1e-9));
+      CHECK(over(x, scene, state).soil == near(1000.0 * 1.0, 1e-9));
     }
     for (const double x : {0.5, 3.5}) CHECK(over(x, scene, state).soil == 0);  // beside it
     // Of the body that the probe names only.
     state.bodies[0].stress[0].assign(state.bodies[0].size(), -1e6);
-    CHECK(over(2.0, scene, state).soil == doctest::Approx(1000.0).epsilon(1e-9));
+    CHECK(over(2.0, scene, state).soil == near(1000.0, 1e-9));
   }
 }
 
@@ -65,11 +67,11 @@ TEST_CASE("A closed membrane under uniform tension pulls twice over its middle, 
   State<2> state = build_state<2>(scene);
   Membrane<2>& skin = state.membranes[1];
   skin.tension.assign(skin.segments(), 500.0);
-  for (const double x : sections) CHECK(over(x, scene, state).membrane == doctest::Approx(1000.0).epsilon(1e-9));
+  for (const double x : sections) CHECK(over(x, scene, state).membrane == near(1000.0, 1e-9));
   for (auto& component : skin.x) std::reverse(component.begin(), component.end());
-  for (const double x : sections) CHECK(over(x, scene, state).membrane == doctest::Approx(1000.0).epsilon(1e-9));
+  for (const double x : sections) CHECK(over(x, scene, state).membrane == near(1000.0, 1e-9));
   state.membranes[0].tension.assign(state.membranes[0].segments(), 1e6);  // of the other body
-  CHECK(over(2.0, scene, state).membrane == doctest::Approx(1000.0).epsilon(1e-9));
+  CHECK(over(2.0, scene, state).membrane == near(1000.0, 1e-9));
 }
 
 TEST_CASE("Soil less membrane is the sum of the forces on the nodes right of the section, half of those on it") {
@@ -107,6 +109,6 @@ TEST_CASE("A probe of a scene writes both columns") {
   state.membranes[1].tension.assign(state.membranes[1].segments(), 500.0);
   HistoryTable table{history_columns(scene), {}};
   const std::vector<double> row = history_row(scene, state, table);
-  CHECK(row.at(table.find("cut.soil_force_N_m")) == doctest::Approx(1000).epsilon(1e-9));
-  CHECK(row.at(table.find("cut.membrane_force_N_m")) == doctest::Approx(1000).epsilon(1e-9));
+  CHECK(row.at(table.find("cut.soil_force_N_m")) == near(1000, 1e-9));
+  CHECK(row.at(table.find("cut.membrane_force_N_m")) == near(1000, 1e-9));
 }

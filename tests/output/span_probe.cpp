@@ -8,9 +8,11 @@
 #include <geodrop/pipeline.hpp>
 #include <geodrop/scene_reader.hpp>
 
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -34,8 +36,8 @@ TEST_CASE("A span of a closed membrane is the shorter way round, whichever end c
     const Point left{1.0, 1.03}, right{3.0, 1.03};
     const SpanTension tension =
         span_tension(scene, {"bottom", "skin", turned ? right : left, turned ? left : right}, state);
-    CHECK(tension.max == doctest::Approx(bottom - 1));
-    CHECK(tension.mean == doctest::Approx((bottom - 1) / 2).epsilon(1e-9));
+    CHECK(tension.max == near(bottom - 1, 1e-12));
+    CHECK(tension.mean == near((bottom - 1) / 2, 1e-9));
   }
 }
 
@@ -45,7 +47,7 @@ TEST_CASE("A span of an open membrane, and one of no length") {
   const auto all = static_cast<double>(state.membranes[0].segments());
   const SpanTension half = span_tension(scene, {"half", "ground", {10.0, 1.03}, {5.0, 1.03}}, state);
   CHECK(half.max == all - 1);
-  CHECK(half.mean == doctest::Approx((1.5 * all - 1) / 2).epsilon(1e-9));
+  CHECK(half.mean == near((1.5 * all - 1) / 2, 1e-9));
   const SpanTension none = span_tension(scene, {"none", "ground", {5.0, 1.03}, {5.0, 1.03}}, state);
   CHECK(none.mean == 0);
   CHECK(none.max == 0);
@@ -63,7 +65,7 @@ TEST_CASE("The spread of vertical stress: percentiles over the particles") {
   const auto value = [&](const std::string& name) {
     return row[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
   };
-  CHECK(value("spread.vertical_stress_p01_Pa") == doctest::Approx(1).epsilon(1e-9));
-  CHECK(value("spread.vertical_stress_p50_Pa") == doctest::Approx(50).epsilon(1e-9));
-  CHECK(value("spread.vertical_stress_p99_Pa") == doctest::Approx(99).epsilon(1e-9));
+  CHECK(value("spread.vertical_stress_p01_Pa") == near(1, 1e-9));
+  CHECK(value("spread.vertical_stress_p50_Pa") == near(50, 1e-9));
+  CHECK(value("spread.vertical_stress_p99_Pa") == near(99, 1e-9));
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 #include "support/text.hpp"
 
@@ -70,7 +71,7 @@ TEST_CASE("Nor is the work of what moves; it adds up with the energy of the bloc
   const RigidContact<2>& contact = state.rigid_contacts[0];
   const double gained = measure(state, scene.gravity).energy(), mass = 1600;
   CHECK(gained > 0.9 * 0.5 * mass);  // it does not stay behind the wall, nor does it stick to it
-  CHECK(contact.driving_work - contact.damping_work == doctest::Approx(gained).epsilon(0.1));
+  CHECK(contact.driving_work - contact.damping_work == near(gained, 0.1));
 }
 
 TEST_CASE("A new budget begins with a stage in time") {

@@ -10,9 +10,11 @@
 #include <cmath>
 
 #include "output/snapshot.hpp"
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -65,7 +67,7 @@ TEST_CASE("A body is not there before its stage places it, and then it is") {
   for (const double t : {0.0, 0.09}) {
     run.until(t);
     CHECK(run.state.bodies[block].field == waiting);
-    CHECK(run.mass() == doctest::Approx(slab_mass).epsilon(1e-9));
+    CHECK(run.mass() == near(slab_mass, 1e-9));
     CHECK(run.points_in_frame() == run.state.bodies[slab].size());
     CHECK(take_snapshot(run.state, {"elastic"}).membranes.membrane.size() == run.state.membranes[0].segments());
     CHECK(run.state.membrane_contacts[0].normal_force == 0);
@@ -75,7 +77,7 @@ TEST_CASE("A body is not there before its stage places it, and then it is") {
   run.step();
   CHECK(run.state.bodies[block].field != waiting);
   CHECK(run.state.bodies[block].field != run.state.bodies[slab].field);
-  CHECK(run.mass() == doctest::Approx(slab_mass + block_mass).epsilon(1e-9));
+  CHECK(run.mass() == near(slab_mass + block_mass, 1e-9));
   CHECK(run.points_in_frame() == run.state.particles());
   CHECK(speed(run) > 0);
   run.until(0.15);
@@ -84,7 +86,7 @@ TEST_CASE("A body is not there before its stage places it, and then it is") {
 
 TEST_CASE("What the first stage places is there from the start, in the first row and frame") {
   const Run run{block_on_slab({"stages=[{name='drop',from=0.0,places=['block']}]"})};
-  CHECK(run.mass() == doctest::Approx(slab_mass + block_mass).epsilon(1e-9));
+  CHECK(run.mass() == near(slab_mass + block_mass, 1e-9));
   CHECK(run.points_in_frame() == run.state.particles());
 }
 
@@ -111,10 +113,10 @@ TEST_CASE("A body placed later moves as it would have from the start") {
     later.step();
     now.step();
   }
-  CHECK(speed(later) == doctest::Approx(1).epsilon(1e-9));
+  CHECK(speed(later) == near(1, 1e-9));
   const double moved = measure(later.state.bodies[block], 0.125).centre[0] - 2;
-  CHECK(moved == doctest::Approx(measure(now.state.bodies[block], 0.125).centre[0] - 2).epsilon(1e-4));
-  CHECK(moved == doctest::Approx(later.state.t - placed_at).epsilon(1e-3));
+  CHECK(moved == near(measure(now.state.bodies[block], 0.125).centre[0] - 2, 5e-4));
+  CHECK(moved == near(later.state.t - placed_at, 1e-12));
 }
 
 TEST_CASE("Tracers in a body that comes later move with it then, others do before") {
@@ -126,7 +128,7 @@ TEST_CASE("Tracers in a body that comes later move with it then, others do befor
   CHECK(run.state.tracers[0].x == run.state.tracers[0].initial_x);
   run.until(0.15);
   const double moved = measure(run.state.bodies[block], 0.125).centre[0] - 2;
-  CHECK(run.state.tracers[0].x[0] - 2 == doctest::Approx(moved).epsilon(1e-6));
+  CHECK(run.state.tracers[0].x[0] - 2 == near(moved, 1e-12));
   CHECK(run.state.tracers[1].field == run.state.bodies[slab].field);
 }
 
@@ -182,10 +184,10 @@ TEST_CASE("A relaxation at rest goes on while a stage is still to come, and coun
   }
   CHECK(run.state.relaxation.cycles_at_rest > 3);
   CHECK(speed(run) == 0);
-  CHECK(measure(run.state.bodies[block], 0.125).velocity[1] == doctest::Approx(-0.5));  // not damped while it waits
+  CHECK(measure(run.state.bodies[block], 0.125).velocity[1] == near(-0.5, 1e-12));  // not damped while it waits
   run.step();
   const double placed = -run.scene.gravity[1] * block_mass * 1.53, slab_start = 9.81 * slab_mass * 0.515;
-  CHECK(run.state.relaxation.initial_potential == doctest::Approx(slab_start + placed).epsilon(1e-6));
+  CHECK(run.state.relaxation.initial_potential == near(slab_start + placed, 1e-12));
 }
 
 TEST_CASE("A pump waits for the body that it pumps into") {
@@ -194,9 +196,9 @@ TEST_CASE("A pump waits for the body that it pumps into") {
                          "stages=[{name='wait',from=0.0},{name='fill',from=0.05,places=['block']}]"})};
   run.until(0.05);
   const double start = run.state.t;
-  CHECK(measure(run.state, run.scene.gravity).mass == doctest::Approx(slab_mass).epsilon(1e-9));
+  CHECK(measure(run.state, run.scene.gravity).mass == near(slab_mass, 1e-9));
   run.until(0.1);
-  CHECK(run.mass() == doctest::Approx(slab_mass + block_mass + 1800 * 0.1 * (run.state.t - start)).epsilon(1e-9));
+  CHECK(run.mass() == near(slab_mass + block_mass + 1800 * 0.1 * (run.state.t - start), 1e-9));
 }
 
 TEST_CASE("What stages remember is part of the checkpoint") {

@@ -6,9 +6,11 @@
 
 #include <numeric>
 
+#include "support/near.hpp"
 #include "support/small_state.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -45,10 +47,10 @@ TEST_CASE("Mass grows at the rate; volumes and velocities stay, so pressure rise
   State<2> after = before;
   pump_fluid(pump, gravity, {0.1, 1.2, 0}, after);
   const Body<2>&was = before.bodies[0], &is = after.bodies[0];
-  CHECK(mass(is) == doctest::Approx(5000 + 0.25 * 0.1 * 1000).epsilon(1e-14));
+  CHECK(mass(is) == near(5000 + 0.25 * 0.1 * 1000, 1e-14));
   for (std::size_t p = 0; p < is.size(); ++p) {
-    CHECK(is.mass[p] / was.mass[p] == doctest::Approx(1.005).epsilon(1e-14));
-    CHECK(is.volume(p) == doctest::Approx(was.volume(p)).epsilon(1e-15));
+    CHECK(is.mass[p] / was.mass[p] == near(1.005, 1e-14));
+    CHECK(is.volume(p) == near(was.volume(p), 1e-15));
     CHECK(is.J[p] < was.J[p]);
     CHECK(is.v[0][p] == was.v[0][p]);
   }
@@ -59,17 +61,17 @@ TEST_CASE("Mass grows at the rate; volumes and velocities stay, so pressure rise
 TEST_CASE("It runs between its two times, also in the steps that they cut") {
   CHECK(pumped(0.5, 0.4) == 0);
   CHECK(pumped(0.5, 0.5) == 0);
-  CHECK(pumped(0.9, 0.4) == doctest::Approx(75).epsilon(1e-10));
-  CHECK(pumped(1.0, 0.4) == doctest::Approx(100).epsilon(1e-10));
-  CHECK(pumped(1.9, 0.4) == doctest::Approx(25).epsilon(1e-10));
-  CHECK(pumped(0.0, 3.0) == doctest::Approx(250).epsilon(1e-10));
+  CHECK(pumped(0.9, 0.4) == near(75, 1e-10));
+  CHECK(pumped(1.0, 0.4) == near(100, 1e-10));
+  CHECK(pumped(1.9, 0.4) == near(25, 1e-10));
+  CHECK(pumped(0.0, 3.0) == near(250, 1e-10));
   CHECK(pumped(2.0, 0.4) == 0);
 }
 
 TEST_CASE("Two pumps into one body add up") {
   State<2> state = with_pool();
   pump_fluid({pump[0], pump[0]}, gravity, {0.1, 1.2, 0}, state);
-  CHECK(mass(state.bodies[0]) == doctest::Approx(5050).epsilon(1e-14));
+  CHECK(mass(state.bodies[0]) == near(5050, 1e-14));
 }
 
 TEST_CASE("What is pumped in brings its potential with it: no work of gravity") {
@@ -78,6 +80,6 @@ TEST_CASE("What is pumped in brings its potential with it: no work of gravity") 
   const double before = measure(state, gravity).potential;
   pump_fluid(pump, gravity, {0.1, 1.2, 0}, state);
   const double added = measure(state, gravity).potential - before;
-  CHECK(added == doctest::Approx(0.25 * 0.1 * 1000 * 10 * 0.5).epsilon(1e-12));  // the pool lies at y = 0.5 m
-  CHECK(state.relaxation.initial_potential == doctest::Approx(7 + added).epsilon(1e-12));
+  CHECK(added == near(0.25 * 0.1 * 1000 * 10 * 0.5, 1e-12));  // the pool lies at y = 0.5 m
+  CHECK(state.relaxation.initial_potential == near(7 + added, 1e-12));
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <geodrop/pipeline.hpp>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/small_state.hpp"
 
@@ -68,10 +69,10 @@ TEST_CASE("Ratios of a cycle: largest energy over the work of gravity, largest f
   State<2> state = fallen();
   cycle(60, 0.5, 0.3, state);
   CHECK(state.relaxation.cycles == 1);
-  CHECK(state.relaxation.kinetic_ratio == doctest::Approx(0.5 / 20).epsilon(1e-12));
+  CHECK(state.relaxation.kinetic_ratio == near(0.5 / 20, 1e-12));
   CHECK(state.relaxation.out_of_balance_ratio == 0.3);
   cycle(60, 0.1, 0.01, state);  // the largest values are those of this cycle
-  CHECK(state.relaxation.kinetic_ratio == doctest::Approx(0.1 / 20).epsilon(1e-12));
+  CHECK(state.relaxation.kinetic_ratio == near(0.1 / 20, 1e-12));
   CHECK(state.relaxation.out_of_balance_ratio == 0.01);
 }
 
@@ -83,7 +84,7 @@ TEST_CASE("A cycle shorter than the shortest counts with the next one") {
   CHECK(state.bodies[0].v[0][0] == 0);  // damped all the same
   cycle(20, 0.1, 0.01, state);
   CHECK(state.relaxation.cycles == 1);
-  CHECK(state.relaxation.kinetic_ratio == doctest::Approx(1.0 / 20).epsilon(1e-12));
+  CHECK(state.relaxation.kinetic_ratio == near(1.0 / 20, 1e-12));
   CHECK(state.relaxation.out_of_balance_ratio == 0.3);
   State<2> exact = fallen();
   cycle(shortest_cycle, 1.0, 0.3, exact);
@@ -112,7 +113,7 @@ TEST_CASE("What was lifted comes to rest as well; not at rest before any work wa
   State<2> state = fallen();
   state.relaxation.initial_potential = 2 * 10 * 2.0;  // by 1 m
   for (int k = 0; k < 3; ++k) cycle(60, 0.1, 0.01, state);
-  CHECK(state.relaxation.kinetic_ratio == doctest::Approx(0.1 / 20).epsilon(1e-12));
+  CHECK(state.relaxation.kinetic_ratio == near(0.1 / 20, 1e-12));
   CHECK(at_rest(state.relaxation));
   State<2> still = fallen();
   still.relaxation.initial_potential = 2 * 10 * 3.0;
@@ -149,11 +150,11 @@ TEST_CASE("The out-of-balance ratio: norms over nodes by hand, the largest of al
   grid.velocity_change[a] = Vec4{0.04, 0, 0, 0};  // 3 kg at 4 m/s2: 12 N
   grid.velocity_change[b] = Vec4{0, 0.04, 0, 0};  // 16 N: the norm is 20 N; that of the weights 30 N and 40 N is 50 N
   measure_balance(gravity, dt, state, grids);
-  CHECK(state.relaxation.out_of_balance_largest == doctest::Approx(0.4).epsilon(1e-13));
+  CHECK(state.relaxation.out_of_balance_largest == near(0.4, 1e-13));
   grid.velocity_change[a] = Vec4{};
   measure_balance(gravity, dt, state, grids);
-  CHECK(state.relaxation.out_of_balance_largest == doctest::Approx(0.4).epsilon(1e-13));
+  CHECK(state.relaxation.out_of_balance_largest == near(0.4, 1e-13));
   grid.velocity_change[b] = Vec4{0, 0.4, 0, 0};
   measure_balance(gravity, dt, state, grids);
-  CHECK(state.relaxation.out_of_balance_largest == doctest::Approx(160.0 / 50).epsilon(1e-13));
+  CHECK(state.relaxation.out_of_balance_largest == near(160.0 / 50, 1e-13));
 }

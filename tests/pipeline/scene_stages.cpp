@@ -5,9 +5,11 @@
 #include <geodrop/find_named.hpp>
 #include <geodrop/pipeline.hpp>
 
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -31,9 +33,9 @@ TEST_CASE("A rigid body moves only in stages that name it, for as long as they l
   const State<2> before = state_at(0.045), opening = state_at(0.09), after = state_at(0.15);
   CHECK(find_named(before.rigid, "gate").angle == 0);
   CHECK(find_named(before.rigid, "ram").displacement[1] == 0);
-  CHECK(find_named(opening.rigid, "gate").angle == doctest::Approx(-2 * 0.04).epsilon(0.05));
+  CHECK(find_named(opening.rigid, "gate").angle == near(-2 * 0.04, 0.05));
   CHECK(find_named(opening.rigid, "ram").displacement[1] == 0);
-  CHECK(find_named(after.rigid, "gate").angle == doctest::Approx(-2 * 0.05).epsilon(0.05));
+  CHECK(find_named(after.rigid, "gate").angle == near(-2 * 0.05, 0.05));
   CHECK(find_named(after.rigid, "gate").angle_rate == 0);
 }
 

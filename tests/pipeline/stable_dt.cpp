@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -35,11 +36,11 @@ std::string error_of(const Case& each) {
 
 TEST_CASE("dt = C h / (c + v)") {
   Case each;
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 50).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / 50, 1e-14));
   each.state.v_max = 30;
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 80).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / 80, 1e-14));
   each.scene.solver.courant = 0.25;
-  CHECK(each.dt() == doctest::Approx(0.25 * 0.2 / 80).epsilon(1e-14));
+  CHECK(each.dt() == near(0.25 * 0.2 / 80, 1e-14));
 }
 
 TEST_CASE("The most strained particle of a neo-Hookean body sets the step") {
@@ -48,20 +49,20 @@ TEST_CASE("The most strained particle of a neo-Hookean body sets the step") {
   Body<2> body = blank_body<2>(rubber, 3);
   for (int c = 0; c < 4; ++c) body.deformation[c].assign(3, c % 3 == 0 ? 1.0 : 0.0);
   each.state.bodies = {body};
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / std::sqrt(4e6 / 1000)).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt(4e6 / 1000), 1e-14));
   // Stretched by 1.5 along y: rho c^2 = lambda (1 - ln 1.5) + mu (1 + 1.5^2).
   each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 1.5;
   const double modulus = 2e6 * (1 - std::log(1.5)) + 1e6 * 3.25;
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / std::sqrt(modulus / 1000)).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt(modulus / 1000), 1e-14));
   // Squeezed to a half: lambda (1 + ln 2) + 2 mu across.
   each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 0.5;
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / std::sqrt((2e6 * (1 + std::log(2.0)) + 2e6) / 1000)).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt((2e6 * (1 + std::log(2.0)) + 2e6) / 1000), 1e-14));
 }
 
 TEST_CASE("The stiffest body sets the step: c^2 = (K + 4/3 G + K_f/n) / rho of an undrained soil") {
   Case each;
   each.state.bodies.push_back(blank_body<2>(MohrCoulomb{2000, 6e6, 3e6, 0, 0.5, 0.8, 0, 0, 40e6}, 1));
-  CHECK(each.dt() == doctest::Approx(0.1 / std::sqrt((6e6 + 4e6 + 40e6) / 2000)).epsilon(1e-14));
+  CHECK(each.dt() == near(0.1 / std::sqrt((6e6 + 4e6 + 40e6) / 2000), 1e-14));
 }
 
 TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to c^2") {
@@ -72,7 +73,7 @@ TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to c^2") {
   membrane.body = "bag";
   membrane.axial_stiffness = 1e6;
   each.state.membranes = {membrane};
-  CHECK(each.dt() == doctest::Approx(0.1 / std::sqrt(2500 + 1e6 / (1600 * 0.2))).epsilon(1e-14));
+  CHECK(each.dt() == near(0.1 / std::sqrt(2500 + 1e6 / (1600 * 0.2)), 1e-14));
 }
 
 TEST_CASE("Penalties limit the step to h / (c sqrt(2 stiffness)), their damping to h / (2 c damping)") {
@@ -87,11 +88,11 @@ TEST_CASE("Penalties limit the step to h / (c sqrt(2 stiffness)), their damping 
     each.state.rigid_contacts[0].damping = damping * impedance;
     return each.dt();
   };
-  CHECK(dt(1, 1) == doctest::Approx(0.5 * h / 50).epsilon(1e-14));  // Courant's step is as short
-  CHECK(dt(4, 0) == doctest::Approx(h / 50 / std::sqrt(8)).epsilon(1e-14));
+  CHECK(dt(1, 1) == near(0.5 * h / 50, 1e-14));  // Courant's step is as short
+  CHECK(dt(4, 0) == near(h / 50 / std::sqrt(8), 1e-14));
   each.scene.solver.courant = 1;
-  CHECK(dt(1, 0) == doctest::Approx(h / 50 / std::sqrt(2)).epsilon(1e-14));
-  CHECK(dt(0.1, 0.8) == doctest::Approx(h / 50 / 1.6).epsilon(1e-14));
+  CHECK(dt(1, 0) == near(h / 50 / std::sqrt(2), 1e-14));
+  CHECK(dt(0.1, 0.8) == near(h / 50 / 1.6, 1e-14));
 }
 
 TEST_CASE("The fastest point of a rigid body counts as a particle does, if the body is there") {
@@ -101,26 +102,26 @@ TEST_CASE("The fastest point of a rigid body counts as a particle does, if the b
   body.to = {0, 2};
   body.angle_rate = 5;  // about the origin
   each.state.rigid = {body};
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 60).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / 60, 1e-14));
   each.state.v_max = 14;
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 64).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / 64, 1e-14));
   each.state.v_max = 4;
   each.state.rigid[0].present = false;
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.2 / 54).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / 54, 1e-14));
 }
 
 TEST_CASE("A viscous fluid limits the step by h^2 / nu") {
   // Diffusion on a grid is stable up to h^2 / (2 d nu), d = 2; Courant's share of it.
   Case each;
   each.state.bodies = {blank_body<2>(Newtonian{1000, 2.5e6, 4e4}, 1)};
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.04 / (4 * 40)).epsilon(1e-14));
+  CHECK(each.dt() == near(0.5 * 0.04 / (4 * 40), 1e-14));
 }
 
 TEST_CASE("Damping shortens the step by sqrt(1 + xi^2) - xi") {
   Case each;
   each.state.damping_rate = 3000;
   const double dt = 0.002, xi = 3000 * dt / 4;  // xi = beta / (2 omega), omega = 2 / dt
-  CHECK(each.dt() == doctest::Approx(dt * (std::sqrt(1 + xi * xi) - xi)).epsilon(1e-14));
+  CHECK(each.dt() == near(dt * (std::sqrt(1 + xi * xi) - xi), 1e-14));
 }
 
 TEST_CASE("A speed that is not finite is an error of the run, with step and time") {
@@ -157,6 +158,6 @@ TEST_CASE("On graded axes the finest cell limits the step") {
   each.scene.grid.refine = {{0, 0.5, 1.5, 0.05, 1.2, {}}};
   each.layout = GridLayout<2>(each.scene.grid, each.scene.walls);
   CHECK(each.layout.finest == finest_spacing(each.scene.grid));
-  CHECK(each.dt() == doctest::Approx(0.5 * each.layout.finest / 50).epsilon(1e-14));
-  CHECK(each.dt() == doctest::Approx(0.5 * 0.05 / 50).epsilon(0.05));
+  CHECK(each.dt() == near(0.5 * each.layout.finest / 50, 1e-14));
+  CHECK(each.dt() == near(0.5 * 0.05 / 50, 0.05));
 }

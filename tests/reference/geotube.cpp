@@ -4,6 +4,7 @@
 
 #include "plot/csv_table.hpp"
 #include "reference/membrane_path.hpp"
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 #include <doctest/doctest.h>
@@ -14,6 +15,7 @@
 #include <numbers>
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -28,12 +30,7 @@ GeotubeInput in_water(GeotubeInput tube, double level, double unit_weight = 9810
   return tube;
 }
 
-/// doctest's own Approx adds 1 to the scale, too much for small numbers.
-void check_equal(double found, double expected, double tolerance) {
-  CAPTURE(found);
-  CAPTURE(expected);
-  CHECK(std::abs(found - expected) <= tolerance * std::abs(expected));
-}
+void check_equal(double found, double expected, double tolerance) { CHECK(found == near(expected, tolerance)); }
 
 CsvTable table(const std::string& name) { return read_csv(source_path("tests/data/" + name)); }
 

@@ -7,7 +7,10 @@
 #include <limits>
 #include <numbers>
 
+#include "support/near.hpp"
+
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -29,12 +32,12 @@ const EllipseShape container{{1.0, 2.0}, {0.507698, 3.326767}, 0.0};
 
 TEST_CASE("ellipse: perimeter and area of the field test's container") {
   // By the trapezoidal rule with 2e6 points in the ellipse's parameter, and pi a b.
-  CHECK(perimeter(container) == doctest::Approx(13.738707230456).epsilon(1e-13));
-  CHECK(area(container) == doctest::Approx(5.306127851118).epsilon(1e-13));
+  CHECK(perimeter(container) == near(13.738707230456, 1e-13));
+  CHECK(area(container) == near(5.306127851118, 1e-13));
   // The field test's figures; the semi-axes are rounded to 1e-6 m, which moves both by some 1e-6.
   CHECK(std::abs(perimeter(container) - 13.738705) < 3e-6);
   CHECK(std::abs(area(container) - 5.306122) < 7e-6);
-  CHECK(perimeter(EllipseShape{{0, 0}, {2, 2}, 30}) == doctest::Approx(4 * pi).epsilon(1e-14));
+  CHECK(perimeter(EllipseShape{{0, 0}, {2, 2}, 30}) == near(4 * pi, 1e-14));
 }
 
 TEST_CASE("ellipse: outline is anticlockwise, on the ellipse, evenly spaced by arc length") {
@@ -45,7 +48,7 @@ TEST_CASE("ellipse: outline is anticlockwise, on the ellipse, evenly spaced by a
     const std::vector<Point> points = outline(ellipse, spacing);
     REQUIRE(points.size() == 220);  // 13.738705 / 0.0625 = 219.8
     CHECK(signed_area(points) > 0);
-    CHECK(signed_area(points) == doctest::Approx(area(ellipse)).epsilon(1e-3));
+    CHECK(signed_area(points) == near(area(ellipse), 1e-3));
     for (const Point& point : points) CHECK(distance_to_outline(ellipse, point) < 1e-12);
   }
   // Arc length from one point to the next by the trapezoidal rule in the ellipse's parameter, apart from the code's
@@ -63,7 +66,7 @@ TEST_CASE("ellipse: outline is anticlockwise, on the ellipse, evenly spaced by a
       const double theta = begin + (end - begin) * (k + 0.5) / pieces;
       arc += std::hypot(a * std::sin(theta), b * std::cos(theta)) * (end - begin) / pieces;
     }
-    CHECK(arc == doctest::Approx(13.738707230456 / 220).epsilon(1e-6));
+    CHECK(arc == near(13.738707230456 / 220, 1e-8));
   }
 }
 
@@ -77,24 +80,24 @@ TEST_CASE("ellipse: distance of points at a known offset along the normal") {
         const double nx = std::cos(theta) / 3, ny = std::sin(theta) / 0.5, n = std::hypot(nx, ny);
         const double u = 3 * std::cos(theta) + offset * nx / n, v = 0.5 * std::sin(theta) + offset * ny / n;
         const Point x{-1 + c * u - s * v, 0.5 + s * u + c * v};
-        CHECK(distance_to_outline(ellipse, x) == doctest::Approx(std::abs(offset)).epsilon(1e-9));
+        CHECK(distance_to_outline(ellipse, x) == within(std::abs(offset), 3e-15));
         if (offset != 0) CHECK(contains(ellipse, x) == (offset < 0));
       }
     }
-    CHECK(distance_to_outline(ellipse, {-1, 0.5}) == doctest::Approx(0.5));
+    CHECK(distance_to_outline(ellipse, {-1, 0.5}) == near(0.5, 1e-12));
   }
-  CHECK(distance_to_outline(EllipseShape{{0, 0}, {2, 2}, 0}, {0, 0}) == doctest::Approx(2));
+  CHECK(distance_to_outline(EllipseShape{{0, 0}, {2, 2}, 0}, {0, 0}) == near(2, 1e-12));
 }
 
 TEST_CASE("ellipse: bounds of a tilted one") {
   const Bounds upright = bounds(container);
-  CHECK(upright.lower[1] == doctest::Approx(2.0 - 3.326767));
+  CHECK(upright.lower[1] == near(2.0 - 3.326767, 1e-12));
   const Bounds turned = bounds(EllipseShape{{0, 0}, {3, 1}, 90});
-  CHECK(turned.upper[0] == doctest::Approx(1));
-  CHECK(turned.upper[1] == doctest::Approx(3));
+  CHECK(turned.upper[0] == near(1, 1e-12));
+  CHECK(turned.upper[1] == near(3, 1e-12));
   const Bounds diagonal = bounds(EllipseShape{{0, 0}, {3, 1}, 45});
-  CHECK(diagonal.upper[0] == doctest::Approx(std::sqrt(5.0)));  // sqrt((9 + 1) / 2)
-  CHECK(diagonal.upper[1] == doctest::Approx(std::sqrt(5.0)));
+  CHECK(diagonal.upper[0] == near(std::sqrt(5.0), 1e-12));  // sqrt((9 + 1) / 2)
+  CHECK(diagonal.upper[1] == near(std::sqrt(5.0), 1e-12));
 }
 
 TEST_CASE("box: contains its edges, keeps its corners") {
@@ -110,9 +113,9 @@ TEST_CASE("box: contains its edges, keeps its corners") {
   CHECK(points[0] == Point{1, 2});
   CHECK(points[8] == Point{4, 2});
   CHECK(points[11] == Point{4, 3});
-  CHECK(signed_area(points) == doctest::Approx(3));
-  CHECK(distance_to_outline(box, {2, 2.25}) == doctest::Approx(0.25));
-  CHECK(distance_to_outline(box, {7, 7}) == doctest::Approx(5));
+  CHECK(signed_area(points) == near(3, 1e-12));
+  CHECK(distance_to_outline(box, {2, 2.25}) == near(0.25, 1e-12));
+  CHECK(distance_to_outline(box, {7, 7}) == near(5, 1e-12));
   const BoxShape cube{{0, 0, 0}, {1, 1, 1}};
   CHECK(contains(cube, {0.5, 0.5, 1.0}));
   CHECK_FALSE(contains(cube, {0.5, 0.5, 1.1}));
@@ -122,8 +125,8 @@ TEST_CASE("polygon: either sense of corners, edges belong to it") {
   const std::vector<Point> corners{{0, 0}, {4, 0}, {4, 3}};
   const PolygonShape forward{corners}, backward{{corners.rbegin(), corners.rend()}};
   for (const PolygonShape& polygon : {forward, backward}) {
-    CHECK(area(polygon) == doctest::Approx(6));
-    CHECK(perimeter(polygon) == doctest::Approx(12));
+    CHECK(area(polygon) == near(6, 1e-12));
+    CHECK(perimeter(polygon) == near(12, 1e-12));
     CHECK(contains(polygon, {3, 1}));
     CHECK(contains(polygon, {2, 1.5}));  // on the slanted edge
     CHECK(contains(polygon, {0, 0}));
@@ -131,13 +134,13 @@ TEST_CASE("polygon: either sense of corners, edges belong to it") {
     CHECK(contains(polygon, {4, 3}));
     CHECK_FALSE(contains(polygon, {1, 1}));
     CHECK_FALSE(contains(polygon, {-1, 0}));
-    CHECK(signed_area(outline(polygon, 0.5)) == doctest::Approx(6));
+    CHECK(signed_area(outline(polygon, 0.5)) == near(6, 1e-12));
     CHECK(outline(polygon, 1.0).size() == 12);
-    CHECK(distance_to_outline(polygon, {0, 3}) == doctest::Approx(2.4));  // 3 * 4 / 5
+    CHECK(distance_to_outline(polygon, {0, 3}) == near(2.4, 1e-12));  // 3 * 4 / 5
     CHECK(bounds(polygon).upper == Point{4, 3});
   }
   const PolygonShape notched{{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}};
-  CHECK(area(notched) == doctest::Approx(10));
+  CHECK(area(notched) == near(10, 1e-12));
   CHECK_FALSE(contains(notched, {2, 2}));
   CHECK(contains(notched, {0.5, 2}));
 }
@@ -146,15 +149,15 @@ TEST_CASE("half-plane: the side away from its normal, cut off by the domain") {
   const HalfPlaneShape half{{0, 1}, {0, 5}};
   CHECK(contains(half, {100, 1}));
   CHECK_FALSE(contains(half, {0, 1.001}));
-  CHECK(distance_to_outline(half, {3, 3}) == doctest::Approx(2));
+  CHECK(distance_to_outline(half, {3, 3}) == near(2, 1e-12));
   CHECK(area(half) == std::numeric_limits<double>::infinity());
   const Bounds unit{{0, 0}, {1, 1}};
   const Bounds slope = bounds_within(HalfPlaneShape{{0.5, 0.25}, {1, 2}}, unit);  // y <= 0.5 - x / 2
   CHECK(slope.lower == Point{0, 0});
-  CHECK(slope.upper[0] == doctest::Approx(1));
-  CHECK(slope.upper[1] == doctest::Approx(0.5));
+  CHECK(slope.upper[0] == near(1, 1e-12));
+  CHECK(slope.upper[1] == near(0.5, 1e-12));
   const Bounds over = bounds_within(HalfPlaneShape{{0, 0.25}, {0, -1}}, unit);
-  CHECK(over.lower[1] == doctest::Approx(0.25));
+  CHECK(over.lower[1] == near(0.25, 1e-12));
   CHECK(over.upper == Point{1, 1});
   CHECK(bounds_within(HalfPlaneShape{{0, 2}, {0, 1}}, unit).upper == Point{1, 1});
   const Bounds none = bounds_within(HalfPlaneShape{{0, -1}, {0, 1}}, unit);
@@ -168,8 +171,8 @@ TEST_CASE("half-space: the part of the domain that it leaves") {
   CHECK_FALSE(contains(half, {0.2, 0.3, 0.51}));
   const Bounds box = bounds_within(half, {{0, 0, 0}, {2, 3, 0.5}});
   CHECK(box.lower == Point{0, 0, 0});
-  CHECK(box.upper[0] == doctest::Approx(1));
-  CHECK(box.upper[1] == doctest::Approx(1));
+  CHECK(box.upper[0] == near(1, 1e-12));
+  CHECK(box.upper[1] == near(1, 1e-12));
   CHECK(box.upper[2] == 0.5);
 }
 
@@ -183,8 +186,8 @@ TEST_CASE("sections of a box, an ellipsoid and half-spaces") {
   REQUIRE(cut);
   const auto& ellipse = std::get<EllipseShape>(*cut);
   CHECK(ellipse.centre == Point{1, 2});
-  CHECK(ellipse.semi_axes[0] == doctest::Approx(4));
-  CHECK(ellipse.semi_axes[1] == doctest::Approx(8));
+  CHECK(ellipse.semi_axes[0] == near(4, 1e-12));
+  CHECK(ellipse.semi_axes[1] == near(8, 1e-12));
   CHECK_FALSE(section(ellipsoid, 0, -4.1));
   // x + 2 z <= 4 at y = 7 and at z = 1 (x <= 2); level ones are there or not.
   const HalfPlaneShape slope{{0, 0, 2}, {1, 0, 2}};

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop::test;
@@ -36,8 +37,8 @@ double profile_error(const SceneRun& run, double t) {
 }  // namespace
 
 TEST_CASE("The series of the start-up has the values of the reference table") {
-  CHECK(startup(0.1, 0.0225) == doctest::Approx(0.0125456646).epsilon(1e-8));
-  CHECK(startup(0.3, 0.1125) == doctest::Approx(0.07061583649).epsilon(1e-8));
+  CHECK(startup(0.1, 0.0225) == near(0.0125456646, 1e-8));
+  CHECK(startup(0.3, 0.1125) == near(0.07061583649, 1e-8));
 }
 
 TEST_CASE("A viscous fluid begins to flow between no-slip walls as Poiseuille says") {

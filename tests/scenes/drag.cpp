@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop::test;
@@ -36,9 +37,9 @@ TEST_CASE("Eddies of one mixing length give a channel its profile") {
   const auto exact = [](double x) {
     return -2.0 / 3 * std::sqrt(0.08) / 0.1 * (std::pow(0.5, 1.5) - std::pow(0.5 - x, 1.5));
   };
-  CHECK(last_of(run, "x1.velocity_y_m_s") == doctest::Approx(exact(0.1)).epsilon(0.03));
-  CHECK(last_of(run, "x3.velocity_y_m_s") == doctest::Approx(exact(0.3)).epsilon(0.02));
-  CHECK(last_of(run, "x5.velocity_y_m_s") == doctest::Approx(exact(0.5)).epsilon(0.02));
+  CHECK(last_of(run, "x1.velocity_y_m_s") == near(exact(0.1), 0.002));
+  CHECK(last_of(run, "x3.velocity_y_m_s") == near(exact(0.3), 0.0006));
+  CHECK(last_of(run, "x5.velocity_y_m_s") == near(exact(0.5), 0.009));
 }
 
 TEST_CASE("With a drag coefficient an ellipse comes to its terminal velocity") {
@@ -48,7 +49,7 @@ TEST_CASE("With a drag coefficient an ellipse comes to its terminal velocity") {
   REQUIRE(run.outcome().code == 0);
   const double weight = 631 * 9.81 * 5.30607, width = 2 * 0.507698;
   const double terminal = std::sqrt(2 * weight / (1000 * 20 * width));  // 1.80 m/s; 3.5 and growing without drag
-  CHECK(-last_of(run, "ellipse.velocity_y_m_s") == doctest::Approx(terminal).epsilon(0.03));
+  CHECK(-last_of(run, "ellipse.velocity_y_m_s") == near(terminal, 0.002));
 }
 
 TEST_CASE("The wall law slows a cylinder down by the friction of potential flow around it") {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop::test;
@@ -87,7 +88,7 @@ TEST_CASE("The error of a swinging column refined in its middle falls with the s
 
 TEST_CASE("A graded bar keeps its energy as a uniform one does") {
   const SceneRun run("cases/elastic_bar.toml", {refine(zone("x", 0, 5, 0.3125, 1.2))});
-  CHECK(run.result("displacement_first_m") == doctest::Approx(0.11254).epsilon(0.01));
+  CHECK(run.result("displacement_first_m") == near(0.11254, 0.006));
   CHECK(run.result("displacement_last_m") / run.result("displacement_first_m") > 0.97);
 }
 
@@ -124,6 +125,6 @@ TEST_CASE("A sharp interface in fine cells with coarse ones around: the ellipse 
   const SceneRun run("cases/ellipse_release.toml", {"grid.spacing=0.5", refine(zone("x", -1.5, 1.5, 0.125, 1.1) + "," +
                                                                                zone("y", 9.7, 18.3, 0.125, 1.1))});
   REQUIRE(run.outcome().code == 0);
-  CHECK(run.result("initial_acceleration_m_s2") == doctest::Approx(3.444).epsilon(0.01));  // 3.417; uniform 3.418
+  CHECK(run.result("initial_acceleration_m_s2") == near(3.444, 0.01));  // 3.417; uniform 3.418
   CHECK(run.column("geotextile.strays_m2").back() == 0);
 }

@@ -1,6 +1,7 @@
 // Sloshing water against linear wave theory, and what the paper's element makes of it with and without its cure.
 #include <doctest/doctest.h>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop::test;
@@ -29,9 +30,9 @@ Swing papers_element(const std::string& pressure) {
 
 TEST_CASE("Water keeps 9 tenths of its swing over two periods on 16 cells") {
   const Swing water = swing({});  // 0.99, 0.95, 0.92 measured
-  CHECK(water.right == doctest::Approx(1).epsilon(0.02));
-  CHECK(water.one_period == doctest::Approx(1).epsilon(0.07));
-  CHECK(water.two_periods == doctest::Approx(1).epsilon(0.1));
+  CHECK(water.right == near(1, 0.02));
+  CHECK(water.one_period == near(1, 0.07));
+  CHECK(water.two_periods == near(1, 0.1));
 }
 
 TEST_CASE("The paper's element locks without its cure, and does not with it") {
@@ -45,7 +46,7 @@ TEST_CASE("Hats and GIMP slosh with MUSL as splines do") {
   for (const std::string basis : {"gimp", "linear"}) {
     CAPTURE(basis);
     const Swing water = swing({"grid.basis=" + basis, "solver.transfer=musl"});
-    CHECK(water.right == doctest::Approx(1).epsilon(0.1));  // 0.93 measured with hats
+    CHECK(water.right == near(1, 0.1));  // 0.93 measured with hats
     CHECK(water.one_period > 0.7);
   }
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop;
@@ -59,17 +60,16 @@ double cut_residual(const SceneRun& run, const std::string& tube, double pressed
 TEST_CASE("The exact tube under a plate balances its forces, and without weight is the tube without plate") {
   const double weight = 12e3, area = 5.56;
   const Geotube tube = tube_under_plate(9.2, 1e7, area, weight);
-  CHECK(tube.area == doctest::Approx(area).epsilon(1e-9));
-  CHECK(2 * tube.tension ==
-        doctest::Approx(tube.top_pressure * tube.height + unit_weight * tube.height * tube.height / 2).epsilon(1e-9));
-  CHECK(tube.bottom_pressure * tube.base_width == doctest::Approx(unit_weight * area + weight).epsilon(1e-9));
+  CHECK(tube.area == near(area, 1e-9));
+  CHECK(2 * tube.tension == near(tube.top_pressure * tube.height + unit_weight * tube.height * tube.height / 2, 1e-9));
+  CHECK(tube.bottom_pressure * tube.base_width == near(unit_weight * area + weight, 1e-9));
   // The numbers of cases/plate_on_tube.toml.
-  CHECK(tube.height == doctest::Approx(1.734243397).epsilon(1e-9));
-  CHECK(tube.width == doctest::Approx(3.658858487).epsilon(1e-9));
-  CHECK(tube.tension == doctest::Approx(19273.64262).epsilon(1e-9));
-  CHECK(tube.top_pressure == doctest::Approx(11821.68795).epsilon(1e-9));
-  CHECK(tube.bottom_pressure == doctest::Approx(32632.60872).epsilon(1e-9));
-  CHECK(tube_under_plate(9.2, 1e7, area, 1e-3).height == doctest::Approx(1.806097126).epsilon(1e-6));
+  CHECK(tube.height == near(1.734243397, 1e-9));
+  CHECK(tube.width == near(3.658858487, 1e-9));
+  CHECK(tube.tension == near(19273.64262, 1e-9));
+  CHECK(tube.top_pressure == near(11821.68795, 1e-9));
+  CHECK(tube.bottom_pressure == near(32632.60872, 1e-9));
+  CHECK(tube_under_plate(9.2, 1e7, area, 1e-3).height == near(1.806097126, 2e-8));
 }
 
 TEST_CASE("A tube under a plate takes the exact shape, and carries the plate's weight") {
@@ -86,13 +86,13 @@ TEST_CASE("One tube on another: the lower one is that under a plate, the upper o
   const Geotube upper =
       solve_geotube({.perimeter = 4.6, .unit_weight = unit_weight, .stiffness = stiffness, .value = 1.39});
   const Geotube lower = pressed_tube(6, stiffness, upper.base_width, upper.bottom_pressure);
-  CHECK(lower.area == doctest::Approx(2.123849479).epsilon(1e-9));
+  CHECK(lower.area == near(2.123849479, 1e-9));
   const SceneRun run("cases/tube_on_tube.toml", {}, {"--verify"});
   CHECK(run.outcome().code == 0);
-  CHECK(run.result("upper_height_m") == doctest::Approx(upper.height).epsilon(0.003));
-  CHECK(run.result("upper_tension_mean_N_m") == doctest::Approx(upper.tension).epsilon(0.02));
-  CHECK(run.result("lower_height_m") == doctest::Approx(lower.height).epsilon(0.003));
-  CHECK(run.result("lower_tension_mean_N_m") == doctest::Approx(lower.tension).epsilon(0.01));
+  CHECK(run.result("upper_height_m") == near(upper.height, 0.001));
+  CHECK(run.result("upper_tension_mean_N_m") == near(upper.tension, 0.015));
+  CHECK(run.result("lower_height_m") == near(lower.height, 0.0013));
+  CHECK(run.result("lower_tension_mean_N_m") == near(lower.tension, 0.0009));
 }
 
 TEST_CASE("One tube on two: every tube is in equilibrium, with and without friction between them") {
@@ -105,11 +105,10 @@ TEST_CASE("One tube on two: every tube is in equilibrium, with and without frict
     const double weight = unit_weight * 1.39 + fabric * g * 4.6, lower = unit_weight * 1.65 + fabric * g * 4.6;
     const auto force = [&](const std::string& name) { return last(run, name); };
     const double left = force("upper.left.force_x_N_m"), right = force("upper.right.force_x_N_m");
-    CHECK(force("upper.left.force_y_N_m") + force("upper.right.force_y_N_m") == doctest::Approx(weight).epsilon(0.005));
+    CHECK(force("upper.left.force_y_N_m") + force("upper.right.force_y_N_m") == near(weight, 0.001));
     CHECK(std::abs(left + right) < 1e-3 * left);
-    CHECK(force("left.west.normal_force_x_N_m") ==
-          doctest::Approx(left - force("left.right.force_x_N_m")).epsilon(0.01));
+    CHECK(force("left.west.normal_force_x_N_m") == near(left - force("left.right.force_x_N_m"), 3e-5));
     CHECK(force("left.ground.normal_force_N_m") ==
-          doctest::Approx(lower + force("upper.left.force_y_N_m") - force("left.right.force_y_N_m")).epsilon(0.005));
+          near(lower + force("upper.left.force_y_N_m") - force("left.right.force_y_N_m"), 0.002));
   }
 }

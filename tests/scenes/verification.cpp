@@ -2,6 +2,7 @@
 // known to do on them. The full cases carry their own expectations.
 #include <doctest/doctest.h>
 
+#include "support/near.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop::test;
@@ -33,15 +34,15 @@ TEST_CASE("Bodies start on their exact solutions") {
   const SceneRun flow(vortices, {"grid.spacing=0.0625", "time.end=0.001"});
   CHECK(flow.column("error.velocity_error_max_ratio").at(0) < 1e-14);
   CHECK(flow.column("error.pressure_error_rms_ratio").at(0) < 1e-10);
-  CHECK(flow.column("error.kinetic_energy_ratio").at(0) == doctest::Approx(1).epsilon(1e-12));
-  CHECK(flow.column("error.node_density_min_ratio").at(0) == doctest::Approx(1).epsilon(2e-3));  // p / K
-  CHECK(flow.column("error.node_density_max_ratio").at(0) == doctest::Approx(1).epsilon(2e-3));
+  CHECK(flow.column("error.kinetic_energy_ratio").at(0) == near(1, 1e-12));
+  CHECK(flow.column("error.node_density_min_ratio").at(0) == near(1, 2e-3));  // p / K
+  CHECK(flow.column("error.node_density_max_ratio").at(0) == near(1, 2e-3));
   const SceneRun drift(ring, {"time.end=0.1"});
   CHECK(drift.column("error.strain_error_max_ratio").at(0) < 1e-14);
   CHECK(drift.column("error.velocity_error_max_ratio").at(0) == 0);
   // rho V / 1.11..: 20 m x 2 m of density 1 / stretch; sigma = E ln(stretch) stores sigma^2 / 2E per volume.
-  CHECK(drift.column("total.mass_kg").at(0) == doctest::Approx(40 / (20.0 / 18)));
-  CHECK(drift.column("energy.strain_J").at(0) == doctest::Approx(40 * 50 * std::pow(std::log(20.0 / 18), 2)));
+  CHECK(drift.column("total.mass_kg").at(0) == near(40 / (20.0 / 18), 1e-12));
+  CHECK(drift.column("energy.strain_J").at(0) == near(40 * 50 * std::pow(std::log(20.0 / 18), 2), 2e-9));
 }
 
 TEST_CASE("The error of large elastic motion is of second order (TPIC, and blended with its rate)") {
@@ -85,34 +86,34 @@ TEST_CASE("Vortices decay alike between slip walls and periodic walls, to 2 % of
   const SceneRun walls(vortices, settings), seams(vortices, periodic);
   CHECK(walls.result("velocity_error_rms_ratio") < 0.03);
   CHECK(seams.result("velocity_error_rms_ratio") ==
-        doctest::Approx(walls.result("velocity_error_rms_ratio")).epsilon(0.01));
-  CHECK(walls.result("kinetic_energy_ratio") == doctest::Approx(1).epsilon(0.02));
+        near(walls.result("velocity_error_rms_ratio"), 1e-4));  // 5e-6 measured; the flow amplifies round-off
+  CHECK(walls.result("kinetic_energy_ratio") == near(1, 0.006));
 }
 
 TEST_CASE("Ten periods of the bar: the consistent mass matrix takes 14 times off the phase error") {
   const SceneRun run(bar, {"time.end=100", "solver.mass_matrix=consistent"});
   CHECK(std::abs(run.result("phase_error_rad")) < 0.005);  // 0.0037 measured, lumped 0.052
-  CHECK(run.result("mode_energy_ratio") == doctest::Approx(1).epsilon(0.01));
+  CHECK(run.result("mode_energy_ratio") == near(1, 0.003));
 }
 
-TEST_CASE("Ten periods of the bar: energy within 1 %, a tenth of the phase error of a hundred") {
+TEST_CASE("Ten periods of the bar: energy within 0.4 %, a tenth of the phase error of a hundred") {
   const SceneRun run(bar, {"time.end=100"});
-  CHECK(run.result("mode_energy_ratio") == doctest::Approx(1).epsilon(0.01));
-  CHECK(run.result("phase_error_rad") == doctest::Approx(-0.052).epsilon(0.1));
-  CHECK(run.result("energy_ratio") == doctest::Approx(run.result("mode_energy_ratio")).epsilon(0.01));
+  CHECK(run.result("mode_energy_ratio") == near(1, 0.004));
+  CHECK(run.result("phase_error_rad") == near(-0.052, 0.006));
+  CHECK(run.result("energy_ratio") == near(run.result("mode_energy_ratio"), 2e-5));
 }
 
 TEST_CASE("Water that is thrown off a wall tears at its cut-off, and comes down when it should") {
   const SceneRun run("cases/verification/cavitation.toml", {});
   CHECK(run.result("pressure_min_Pa") == -5000);
-  CHECK(run.result("rise_m") == doctest::Approx(1.0406).epsilon(0.005));
-  CHECK(run.result("closed_s") == doctest::Approx(0.16247).epsilon(0.03));
+  CHECK(run.result("rise_m") == near(1.0406, 0.005));
+  CHECK(run.result("closed_s") == near(0.16247, 0.03));
 }
 
 TEST_CASE("A drop under a central force swings with the period of the exact one") {
   const SceneRun run("cases/verification/oscillating_drop.toml", {"grid.spacing=0.25", "time.end=8.6"});
-  CHECK(run.result("period_s") == doctest::Approx(4.827343).epsilon(0.03));
-  CHECK(run.result("stretch_ratio") == doctest::Approx(1.93185).epsilon(0.01));
+  CHECK(run.result("period_s") == near(4.827343, 0.03));
+  CHECK(run.result("stretch_ratio") == near(1.93185, 0.009));
 }
 
 TEST_CASE("A column squeezed to a twentieth keeps a volume; a scheme that turns it inside out stops and says where") {
@@ -130,5 +131,5 @@ TEST_CASE("A column squeezed to a twentieth keeps a volume; a scheme that turns 
 TEST_CASE("Sand without cohesion that is thrown apart bears no tension") {
   const SceneRun run("cases/verification/apart.toml", {"grid.spacing=0.25", "time.end=0.5"});
   CHECK(run.result("tension_max_Pa") < 1e-9);
-  CHECK(run.result("mass_kg") == doctest::Approx(1600).epsilon(1e-12));
+  CHECK(run.result("mass_kg") == near(1600, 1e-12));
 }

@@ -5,9 +5,11 @@
 
 #include <numbers>
 
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 TEST_CASE("The geotextile of the main case has the mass of its rest length, evenly, and no tension") {
   for (const double slack : {0.0, 0.07}) {
@@ -22,13 +24,13 @@ TEST_CASE("The geotextile of the main case has the mass of its rest length, even
     for (const double each : m.mass) mass += each;
     for (const double each : m.rest_length) rest += each;
     // Chords of h/4 on a radius of at least 0.077 m at the tips: a few 1e-4 shorter than the arc.
-    CHECK(rest == doctest::Approx(perimeter * (1 + slack)).epsilon(1e-3));
-    CHECK(mass == doctest::Approx(0.63 * perimeter * (1 + slack)).epsilon(1e-3));
-    CHECK(mass == doctest::Approx(0.63 * rest).epsilon(1e-12));
+    CHECK(rest == near(perimeter * (1 + slack), 1e-3));
+    CHECK(mass == near(0.63 * perimeter * (1 + slack), 1e-3));
+    CHECK(mass == near(0.63 * rest, 1e-12));
     CHECK(m.closed);
     CHECK(m.segments() == m.nodes());
     const double spacing = rest / (1 + slack) / static_cast<double>(m.segments());
-    CHECK(spacing == doctest::Approx(0.25 / 4).epsilon(0.01));
+    CHECK(spacing == near(0.25 / 4, 0.003));
     for (const double T : m.tension) CHECK(T == 0);
     for (std::size_t k = 0; k < m.nodes(); ++k)
       CHECK(distance_to_outline(scene.bodies[2].shape, {m.x[0][k], m.x[1][k]}) < 1e-6);
@@ -39,7 +41,7 @@ TEST_CASE("The container of the main case has the area of the field test, and it
   const State<2> state = build_state<2>(read_scene(source_path("cases/dump_kekerdom_mixture.toml")));
   double mass = 0;
   for (const double m : state.bodies[2].mass) mass += m;
-  CHECK(mass == doctest::Approx(1631 * 130 / 24.5).epsilon(1e-3));
+  CHECK(mass == near(1631 * 130 / 24.5, 3e-6));
 }
 
 TEST_CASE("A bar in its first mode moves with v0 sin(pi x / 2 L), its affine rate is the derivative") {
@@ -48,13 +50,13 @@ TEST_CASE("A bar in its first mode moves with v0 sin(pi x / 2 L), its affine rat
   const double k = std::numbers::pi / 50;
   double fastest = 0;
   for (std::size_t p = 0; p < bar.size(); ++p) {
-    CHECK(bar.v[0][p] == doctest::Approx(0.1 * std::sin(k * bar.x[0][p])).epsilon(1e-12));
+    CHECK(bar.v[0][p] == near(0.1 * std::sin(k * bar.x[0][p]), 1e-12));
     CHECK(bar.v[1][p] == 0);
-    CHECK(bar.affine[0][p] == doctest::Approx(0.1 * k * std::cos(k * bar.x[0][p])).epsilon(1e-12));
+    CHECK(bar.affine[0][p] == near(0.1 * k * std::cos(k * bar.x[0][p]), 1e-12));
     for (int c = 1; c < 4; ++c) CHECK(bar.affine[c][p] == 0);
     fastest = std::max(fastest, bar.v[0][p]);
   }
-  CHECK(state.v_max == doctest::Approx(fastest).epsilon(1e-14));
+  CHECK(state.v_max == near(fastest, 1e-14));
 }
 
 TEST_CASE("A linear field: v = gradient (x - centre), and the gradient goes with the particles") {
@@ -64,8 +66,8 @@ TEST_CASE("A linear field: v = gradient (x - centre), and the gradient goes with
   const Body<2>& bar = state.bodies[0];
   for (std::size_t p = 0; p < bar.size(); ++p) {
     const double x = bar.x[0][p] - 1, y = bar.x[1][p] - 2;
-    CHECK(bar.v[0][p] == doctest::Approx(0.5 * x - 2 * y));
-    CHECK(bar.v[1][p] == doctest::Approx(3 * x + 0.25 * y));
+    CHECK(bar.v[0][p] == near(0.5 * x - 2 * y, 1e-12));
+    CHECK(bar.v[1][p] == near(3 * x + 0.25 * y, 1e-12));
     CHECK(bar.affine[1][p] == -2);
     CHECK(bar.affine[2][p] == 3);
   }

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "support/near.hpp"
 #include "support/random_particles.hpp"
 
 using namespace geodrop;
@@ -44,7 +45,7 @@ TEST_CASE("Where particles are everywhere, each knot span holds its own width of
     double whole = layout.h * layout.h;
     for (int a = 0; a < 2; ++a)
       whole *= layout.span_width(a, i[a]) * (i[a] == 0 || i[a] == layout.cells[a] ? 0.5 : 1.0);
-    CHECK(held[flat] == doctest::Approx(whole).epsilon(1e-12));
+    CHECK(held[flat] == near(whole, 1e-12));
   });
 }
 
@@ -52,10 +53,10 @@ TEST_CASE("A shape that cells cut has its volume, whatever their width") {
   const double area = std::numbers::pi * 1.1 * 0.7;
   for (const int per_axis : {1, 2, 3})
     CHECK(volume_of(build_state<2>(filled<2>(EllipseShape{{2.05, 1.9}, {1.1, 0.7}, 20}, per_axis)).bodies[0]) ==
-          doctest::Approx(area).epsilon(1e-6));
+          near(area, 3e-7));
   const double volume = 4 * std::numbers::pi / 3 * 1.1 * 0.7 * 0.9;
   CHECK(volume_of(build_state<3>(filled<3>(EllipseShape{{2.05, 1.9, 2.2}, {1.1, 0.7, 0.9}, 0}, 2)).bodies[0]) ==
-        doctest::Approx(volume).epsilon(1e-6));
+        near(volume, 2e-7));
 }
 
 TEST_CASE("Jitter stays within the sites, however narrow they are") {

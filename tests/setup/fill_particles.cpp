@@ -7,9 +7,11 @@
 #include <numbers>
 #include <random>
 
+#include "support/near.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -64,10 +66,10 @@ TEST_CASE("Particles of an ellipse have its area and centre, upright and tilted;
     const State<2> state = build_state<2>(basin_scene(tilt));
     const double ellipse = std::numbers::pi * 0.77 * 1.9, box = 48, rest = box - ellipse;
     const Moments bag = moments(state.bodies[1]), water = moments(state.bodies[0]);
-    CHECK(bag.area == doctest::Approx(ellipse).epsilon(1e-3));
+    CHECK(bag.area == near(ellipse, 1.5e-7));
     CHECK(std::abs(bag.x - 0.313) < 1e-3 * 1.9);
     CHECK(std::abs(bag.y - 3.171) < 1e-3 * 1.9);
-    CHECK(water.area == doctest::Approx(rest).epsilon(1e-3));
+    CHECK(water.area == near(rest, 1.5e-8));
     CHECK(std::abs(water.x - -0.313 * ellipse / rest) < 1e-3 * 1.9);
     CHECK(std::abs(water.y - (3 * box - 3.171 * ellipse) / rest) < 1e-3 * 1.9);
   }
@@ -94,7 +96,7 @@ TEST_CASE("A box on grid lines is a whole lattice: every particle the same volum
   REQUIRE(body.size() == 96 * 72);
   const double width = 0.25 / 3;
   for (std::size_t p = 0; p < body.size(); ++p) {
-    CHECK(body.volume(p) == doctest::Approx(width * width).epsilon(1e-12));
+    CHECK(body.volume(p) == near(width * width, 1e-12));
     CHECK(body.id[p] == p);
     for (int a = 0; a < 2; ++a) {
       const double site = (body.x[a][p] - scene.grid.lower[a]) / width - 0.5;
@@ -169,27 +171,27 @@ TEST_CASE("Boxes and polygons have their area and centre to rounding, wherever t
       CAPTURE(top);
       CAPTURE(left);
       const Moments m = moments(alone(BoxShape{{left, 0}, {1, top}}));
-      CHECK(m.area == doctest::Approx((1 - left) * top).epsilon(1e-9));
-      CHECK(m.x == doctest::Approx((1 + left) / 2).epsilon(1e-9));
-      CHECK(m.y == doctest::Approx(top / 2).epsilon(1e-9));
+      CHECK(m.area == near((1 - left) * top, 1e-9));
+      CHECK(m.x == within((1 + left) / 2, 1e-15));
+      CHECK(m.y == near(top / 2, 1e-9));
     }
   }
   // A wedge whose tip is thinner than 2 % of a site over more than two sites.
   const Moments wedge = moments(alone(PolygonShape{{{-2, 1.01}, {1, 1.01}, {1, 1.04}}}));
-  CHECK(wedge.area == doctest::Approx(3 * 0.03 / 2).epsilon(1e-9));
-  CHECK(wedge.x == doctest::Approx(0).epsilon(1e-9));
-  CHECK(wedge.y == doctest::Approx(1.02).epsilon(1e-9));
+  CHECK(wedge.area == near(3 * 0.03 / 2, 1e-9));
+  CHECK(wedge.x == near_zero(1e-15));
+  CHECK(wedge.y == near(1.02, 1e-9));
   const Moments slope =
       moments(alone(HalfPlaneShape{{0, 3}, {0.01, 1}}));  // 3 m deep at x = 0, the centre of the basin
-  CHECK(slope.area == doctest::Approx(24).epsilon(1e-9));
+  CHECK(slope.area == near(24, 1e-9));
   const Moments notched = moments(alone(PolygonShape{{{-2, 1}, {2, 1}, {2, 5}, {0, 2}, {-2, 5}}}));
-  CHECK(notched.area == doctest::Approx(10).epsilon(1e-9));
+  CHECK(notched.area == near(10, 1e-9));
 }
 
 TEST_CASE("A strip of a tenth of a particle spacing is no void") {
   const Body<2> strip = alone(BoxShape{{-1, 1}, {1, 1.0125}});
   CHECK(strip.size() == 16);
-  CHECK(moments(strip).area == doctest::Approx(2 * 0.0125).epsilon(1e-9));
+  CHECK(moments(strip).area == near(2 * 0.0125, 1e-9));
 }
 
 TEST_CASE("What is cut out of a body is what the other has: the two fill the basin") {
@@ -197,8 +199,8 @@ TEST_CASE("What is cut out of a body is what the other has: the two fill the bas
     CAPTURE(tilt);
     const State<2> state = build_state<2>(basin_scene(tilt));
     const double bag = moments(state.bodies[1]).area, water = moments(state.bodies[0]).area;
-    CHECK(bag == doctest::Approx(std::numbers::pi * 0.77 * 1.9).epsilon(1e-6));
-    CHECK(bag + water == doctest::Approx(48).epsilon(1e-9));
+    CHECK(bag == near(std::numbers::pi * 0.77 * 1.9, 1e-7));
+    CHECK(bag + water == near(48, 1e-9));
   }
 }
 
@@ -227,5 +229,5 @@ TEST_CASE("Jitter of whole sites is the plain random offset, also beside cut sit
   std::mt19937_64 generator(0);
   const auto next = [&] { return 2 * (static_cast<double>(generator() >> 11) / (1ULL << 53)) - 1; };
   for (std::size_t p = 0; p < 64 * 47; ++p)  // rows under the one at the surface
-    for (int a = 0; a < 2; ++a) CHECK(moved.x[a][p] == doctest::Approx(still.x[a][p] + 0.5 * 0.125 * next()));
+    for (int a = 0; a < 2; ++a) CHECK(moved.x[a][p] == near(still.x[a][p] + 0.5 * 0.125 * next(), 1e-12));
 }

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "support/near.hpp"
+
 using namespace geodrop;
+using namespace geodrop::test;
 
 namespace {
 
@@ -60,7 +63,7 @@ TEST_CASE("Particles of an ellipsoid have its volume and centre to 1e-6, at any 
     scene.grid.spacing = h;
     const Moments m = moments(build_state<3>(scene).bodies[0]);
     MESSAGE("h = ", h, ": volume error ", m.volume / ellipsoid_volume - 1);
-    CHECK(m.volume == doctest::Approx(ellipsoid_volume).epsilon(1e-6));
+    CHECK(m.volume == near(ellipsoid_volume, 4e-7));
     for (std::size_t a = 0; a < 3; ++a)
       CHECK(std::abs(m.centre[static_cast<Eigen::Index>(a)] - ellipsoid.centre[a]) < 1e-6);
   }
@@ -76,8 +79,8 @@ TEST_CASE("What is cut out of a body is what the other has: the two fill the bas
   scene.bodies[1].minus.clear();
   const State<3> state = build_state<3>(scene);
   const Moments water = moments(state.bodies[0]), bag = moments(state.bodies[1]);
-  CHECK(water.volume == doctest::Approx(88 - ellipsoid_volume).epsilon(1e-7));
-  CHECK(bag.volume == doctest::Approx(ellipsoid_volume).epsilon(1e-6));
+  CHECK(water.volume == near(88 - ellipsoid_volume, 1.5e-8));
+  CHECK(bag.volume == near(ellipsoid_volume, 1.5e-7));
   for (std::size_t p = 0; p < state.bodies[1].size(); ++p) {
     const auto& x = state.bodies[1].x;
     CHECK(contains(ellipsoid, {x[0][p], x[1][p], x[2][p]}));
@@ -90,17 +93,17 @@ TEST_CASE("Half-spaces are cut exactly, wherever they pass") {
   const double whole = 8.1 * 4.05 * 2.7 / 6;                       // tetrahedron
   const double beyond_x = whole * std::pow((8.1 - 4) / 8.1, 3);    // its part with x > 2
   const double beyond_y = whole * std::pow((4.05 - 4) / 4.05, 3);  // its part with y > 2
-  CHECK(corner.volume == doctest::Approx(whole - beyond_x - beyond_y).epsilon(1e-9));
+  CHECK(corner.volume == near(whole - beyond_x - beyond_y, 1e-9));
   const Moments level = moments(alone(HalfPlaneShape{{0, 0, 1.003}, {0, 0, 1}}));
-  CHECK(level.volume == doctest::Approx(16 * 1.003).epsilon(1e-12));
-  CHECK(level.centre[2] == doctest::Approx(1.003 / 2).epsilon(1e-12));
+  CHECK(level.volume == near(16 * 1.003, 1e-12));
+  CHECK(level.centre[2] == near(1.003 / 2, 1e-12));
 }
 
 TEST_CASE("A box on grid lines is a whole lattice; one that is not has its volume to rounding") {
   const Body<3> body = alone(BoxShape{{-2, -2, 0}, {2, 2, 1.5}});
   REQUIRE(body.size() == 32 * 32 * 12);
   for (std::size_t p = 0; p < body.size(); ++p) {
-    CHECK(body.volume(p) == doctest::Approx(0.125 * 0.125 * 0.125).epsilon(1e-12));
+    CHECK(body.volume(p) == near(0.125 * 0.125 * 0.125, 1e-12));
     CHECK(body.id[p] == p);
     const double lower[] = {-2, -2, 0};
     for (int a = 0; a < 3; ++a) {
@@ -109,10 +112,10 @@ TEST_CASE("A box on grid lines is a whole lattice; one that is not has its volum
     }
   }
   const Moments cut = moments(alone(BoxShape{{-1.003, -0.7, 0.01}, {1, 0.77, 1.11}}));
-  CHECK(cut.volume == doctest::Approx(2.003 * 1.47 * 1.1).epsilon(1e-12));
-  CHECK(cut.centre[0] == doctest::Approx(-0.0015).epsilon(1e-9));
-  CHECK(cut.centre[1] == doctest::Approx(0.035).epsilon(1e-9));
-  CHECK(cut.centre[2] == doctest::Approx(0.56).epsilon(1e-9));
+  CHECK(cut.volume == near(2.003 * 1.47 * 1.1, 1e-12));
+  CHECK(cut.centre[0] == near(-0.0015, 1e-9));
+  CHECK(cut.centre[1] == near(0.035, 1e-9));
+  CHECK(cut.centre[2] == near(0.56, 1e-9));
 }
 
 TEST_CASE("Layers in space are bands of height z") {
