@@ -18,8 +18,8 @@ struct VerifyOptions {
 };
 
 /// Runs the cases, prints a row for each measure, writes verification.csv, verification_runs.csv, verification.md and
-/// pictures of error against work. Returns the exit code: 0 all met or known to be missed, 1 a target missed, 2 no
-/// case.
+/// pictures of error against work. Returns the exit code: 0 all met, within a quick target or known to be missed and
+/// within their guard, 1 a target, a guard or a control missed, 2 no case.
 int run_verify(const VerifyOptions& options);
 
 }  // namespace geodrop

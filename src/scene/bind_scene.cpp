@@ -291,20 +291,30 @@ ExpectSpec bind_expect(const Fields& f, SourceRef at) {
 VerifySpec bind_verify(const Fields& f, SourceRef at) {
   VerifySpec verify;
   verify.result = f.text("result");
+  verify.over = f.text("over");
   verify.what = f.text("what");
   verify.expected = f.real("expected");
+  verify.kind = f.choice<ReferenceKind>("kind");
   verify.scale = f.real("scale");
   verify.target = f.real("target");
   verify.quick_target = f.real("quick_target");
   verify.least_order = f.real("least_order");
   verify.source = f.text("source");
   verify.shortfall = f.text("shortfall");
+  verify.guard = f.real("guard");
+  verify.loose = f.text("loose");
   verify.at = at;
   return verify;
 }
 
 VariantSpec bind_variant(const Fields& f, SourceRef at) {
-  return {f.text("name"), f.names("set"), f.choice<VerifyMode>("in"), f.boolean("control"), at};
+  return {f.text("name"),
+          f.names("set"),
+          f.choice<VerifyMode>("in"),
+          f.boolean("control"),
+          f.names("of"),
+          f.text("breaks"),
+          at};
 }
 
 RefineSpec bind_zone(const Fields& f, SourceRef at) {

@@ -130,13 +130,42 @@ void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& 
   }
 }
 
+/// A known miss needs a guard, or it could get worse unseen.
+void check_shortfall(const VerifySpec& verify, const std::string& key, Report& report) {
+  if (!report.healthy(key)) return;
+  if (!verify.shortfall.empty() && !(verify.guard > verify.target))
+    report.add(key + ".guard", to_text(verify.guard),
+               "with a shortfall more than its target, " + to_text(verify.target));
+  if (verify.shortfall.empty() && verify.guard > 0)
+    report.add(key + ".guard", "a guard without a shortfall", "both or none");
+}
+
+void check_control(const Scene& scene, const VariantSpec& variant, const std::string& key, Report& report) {
+  std::vector<std::string> judged;
+  for (const VerifySpec& verify : scene.verify) judged.push_back(verify.result);
+  for (const std::string& result : variant.of) check_reference(key + ".of", result, judged, "verify", report);
+  if (!variant.control && !(variant.of.empty() && variant.breaks.empty()))
+    report.add(key + ".control", "of or breaks in a variant that is no control", "control = true");
+  if (variant.control && variant.of.empty() && scene.verify.size() > 1)
+    report.add(key + ".of", "none, and several [[verify]]", "the results whose targets the control has to miss");
+}
+
 void check_verification(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.variants.size(); ++i)
+    check_control(scene, scene.variants[i], report.element("variants", i), report);
+  std::set<std::string> judged;
   for (std::size_t i = 0; i < scene.verify.size(); ++i) {
     const std::string& key = report.element("verify", i);
     check_reference(key + ".result", scene.verify[i].result, names_of(scene.results), "results", report);
+    if (!scene.verify[i].over.empty())
+      check_reference(key + ".over", scene.verify[i].over, names_of(scene.results), "results", report);
     if (report.healthy(key + ".expected") && report.healthy(key + ".scale") && scene.verify[i].expected == 0 &&
         scene.verify[i].scale == 0)
       report.add(key + ".scale", "nothing to divide by, expected is 0", "a scale > 0");
+    check_shortfall(scene.verify[i], key, report);
+    if (!judged.insert(scene.verify[i].result).second)
+      report.add(key + ".result", '"' + scene.verify[i].result + "\", which another [[verify]] judges",
+                 "one [[verify]] of a result");
   }
   if (!scene.variants.empty() && scene.verify.empty())
     report.add("variants", "variants without verify", "a [[verify]] that judges them");

@@ -384,19 +384,25 @@ constexpr Key keys[] = {
     {"expect", "source", text, "", "", required, filled, "who says so"},
 
     {"verify", "result", name, "", "", required, reference, "a name in results"},
+    {"verify", "over", text, "", "", standard("\"\""), any, "another result that this one is divided by first, e.g. the wave that comes in; empty: none"},
     {"verify", "what", text, "", "", required, filled, "what the error is of, in words"},
     {"verify", "expected", real, "", "", required, any, "in the unit of the result"},
+    {"verify", "kind", choice, "", "", standard("\"reference\""), words("reference|regression"), "regression: a result of the code itself, which can only show that something has changed; counted apart"},
     {"verify", "scale", real, "", "", standard("0.0"), not_negative, "what the difference is divided by; 0: |expected|"},
     {"verify", "target", real, "", "", required, positive, "met if the error of the last variant is at most this"},
-    {"verify", "quick_target", real, "", "", standard("0.0"), not_negative, "likewise with `--quick`, which stops at a coarser grid; 0: the same"},
-    {"verify", "least_order", real, "", "", standard("0.0"), not_negative, "least order in the grid spacing that the errors of all variants show with `--full`; 0: none is asked for"},
+    {"verify", "quick_target", real, "", "", standard("0.0"), not_negative, "holds with `--quick`, which stops at a coarser grid; a row that only this one admits counts as coarse, not as met; 0: none"},
+    {"verify", "least_order", real, "", "", standard("0.0"), not_negative, "least order in the grid spacing that the errors of all variants show; not judged by `--quick` if its runs have one spacing; 0: none is asked for"},
     {"verify", "source", text, "", "", required, filled, "who says so"},
-    {"verify", "shortfall", text, "", "", standard("\"\""), free_text, "why the target is known to be missed: the row says no, but the command does not fail by it. A `quick_target` holds all the same"},
+    {"verify", "shortfall", text, "", "", standard("\"\""), free_text, "why the target is known to be missed: the row says so, but the command does not fail by it as long as the guard holds"},
+    {"verify", "guard", real, "", "", standard("0.0"), not_negative, "largest error that a known miss may have; needed beside `shortfall`. With `--quick` a `quick_target` takes its place"},
+    {"verify", "loose", text, "", "", standard("\"\""), free_text, "why the target is more than three times the error that is measured"},
 
     {"variants", "name", text, "", "", required, filled, "e.g. h = 0.1 m"},
     {"variants", "set", texts, "", "", standard("[]"), free_text, "overrides, each as after --set: \"grid.spacing=0.1\""},
     {"variants", "in", choice, "", "", standard("\"both\""), words("quick|full|both"), "which of `geodrop verify --quick` and `--full` makes this run"},
-    {"variants", "control", boolean, "", "", standard("false"), yes_no, "broken on purpose: it has to miss a target, or to break"},
+    {"variants", "control", boolean, "", "", standard("false"), yes_no, "broken on purpose: it has to miss the target of the row that it belongs to"},
+    {"variants", "of", texts, "", "", standard("[]"), free_text, "results whose targets a control has to miss, each; needed where there are several [[verify]]"},
+    {"variants", "breaks", text, "", "", standard("\"\""), free_text, "part of the message that a control has to break with; empty: it has to run to its end, with an error above the target"},
 };
 // clang-format on
 

@@ -12,15 +12,18 @@ namespace geodrop {
 std::string console_head();
 std::string console_line(const VerifyRow& row);
 
-/// "31 of 35 targets met, 3 misses are known, 1 is not; 12 of 12 controls fail as they must".
+/// How many targets are met, are met by a quick target only, are known misses within their guard, are missed;
+/// regressions and controls apart.
 std::string verify_totals(const std::vector<VerifyRow>& rows);
+/// How many targets are loose, and how many no control has to miss.
+std::string slack_totals(const std::vector<VerifyRow>& rows);
 
 /// verification.csv, a line for each row; texts stand in quotes.
 std::string rows_csv(const std::vector<VerifyRow>& rows);
 /// verification_runs.csv, a line for each run of each row.
 std::string runs_csv(const std::vector<VerifyRow>& rows);
 
-/// The table and the list of shortfalls for the page.
+/// The table for the page, and lists: known misses, loose targets, measures without a control.
 std::string rows_markdown(const std::vector<VerifyRow>& rows);
 
 /// A page with the lines between "<!-- geodrop verify -->" and "<!-- end of geodrop verify -->" replaced. Throws

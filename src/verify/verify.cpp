@@ -44,7 +44,7 @@ std::vector<fs::path> chosen_cases(const VerifyOptions& options) {
 }
 
 std::vector<VariantSpec> variants_of(const Scene& scene, VerifyMode mode) {
-  if (scene.variants.empty()) return {VariantSpec{"as it stands", {}, VerifyMode::both, false, {}}};
+  if (scene.variants.empty()) return {VariantSpec{"as it stands", {}, VerifyMode::both, false, {}, {}, {}}};
   std::vector<VariantSpec> variants = scene.variants;
   std::erase_if(variants, [&](const VariantSpec& one) { return one.in != VerifyMode::both && one.in != mode; });
   return variants;
@@ -67,12 +67,15 @@ VariantRun run_variant(const Scene& scene, const VariantSpec& variant, const Run
   VariantRun run;
   run.name = variant.name;
   run.control = variant.control;
+  run.of = variant.of;
+  run.breaks = variant.breaks;
   run.spacing = finest_spacing(scene.grid);
   RunOutcome outcome;
   try {
     outcome = perform_run(scene, options);
-  } catch (const RunError&) {  // before the first step
+  } catch (const RunError& error) {  // before the first step
     outcome.statistics.status = RunStatus::failed;
+    outcome.statistics.message = error.what();
   }
   const RunStatistics& statistics = outcome.statistics;
   run.particles = fact_of(statistics, "particles_count");
@@ -80,6 +83,7 @@ VariantRun run_variant(const Scene& scene, const VariantSpec& variant, const Run
   run.wall_seconds = statistics.wall_seconds;
   run.bytes = run.particles * fact_of(statistics, "bytes_per_particle_count");
   run.status = statistics.status;
+  run.message = statistics.message;
   run.results = outcome.summary.results;
   run.state_hash = outcome.summary.state_hash;
   return run;
@@ -158,7 +162,7 @@ int run_verify(const VerifyOptions& options) {
     return 2;
   }
   write_results(rows, options);
-  std::printf("%s\n", verify_totals(rows).c_str());
+  std::printf("%s\n%s\n", verify_totals(rows).c_str(), slack_totals(rows).c_str());
   return std::any_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.verdict == Verdict::missed; });
 }
 

@@ -41,12 +41,14 @@ TEST_CASE("Two resolutions and a control: rows, files, pictures, exit code 0") {
   CAPTURE(outcome.out);
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
-  CHECK(contains(outcome.out, "1 of 1 targets met, 0 known to be missed, 0 missed; 1 of 1 controls miss their target"));
+  CHECK(contains(outcome.out,
+                 "1 of 1 targets met, 0 coarse: within their quick target, 0 known to be missed, guarded, 0 missed; "
+                 "0 of 0 regressions hold; 1 of 1 controls miss the target of their row"));
   const std::string csv = read_file(directory / "results" / "verification.csv");
   CHECK(lines(csv) == 3);
   CHECK(contains(csv, "\"bar\",\"period, first\",\"period_s\",\"s\",10,"));
   CHECK(contains(csv, "\"1.25 0.625 0.312\""));
-  CHECK(contains(csv, ",0,\"yes\",\"4 L 'c'\",\"\"\n"));
+  CHECK(contains(csv, ",0,\"\",\"yes\",\"4 L 'c'\",\"\",\"\"\n"));
   CHECK(contains(csv, "\"control: softer\""));
   const std::string runs = read_file(directory / "results" / "verification_runs.csv");
   CHECK(lines(runs) == 5);
@@ -87,15 +89,48 @@ TEST_CASE("A target that is missed is exit code 1, unless the scene says why") {
   const std::string output = directory / "results";
   const Outcome missed = run_program({"verify", bar(directory, "1e-6"), "--output", output});
   CHECK(missed.code == 1);
-  CHECK(contains(missed.out, "0 of 1 targets met, 0 known to be missed, 1 missed"));
+  CHECK(contains(missed.out,
+                 "0 of 1 targets met, 0 coarse: within their quick target, 0 known to be missed, guarded, 1 missed"));
   const Outcome order =
       run_program({"verify", bar(directory, "0.0005", "least_order = 3.0\n"), "--full", "--output", output});
   CHECK(order.code == 1);
-  const Outcome known =
-      run_program({"verify", bar(directory, "1e-6", "shortfall = \"lumped mass\"\n"), "--output", output});
+  const Outcome known = run_program(
+      {"verify", bar(directory, "1e-6", "shortfall = \"lumped mass\"\nguard = 0.0005\n"), "--output", output});
   CHECK(known.code == 0);
-  CHECK(contains(known.out, "no, known"));
+  CHECK(contains(known.out, "known, guarded"));
+  CHECK(contains(known.out, "0 of 1 targets met, 0 coarse: within their quick target, 1 known to be missed, guarded"));
   CHECK(contains(read_file(directory / "results" / "verification.md"), "- **bar**, period, first: lumped mass"));
+}
+
+TEST_CASE("A guard that is missed is exit code 1, and so is a quick target; a quick target alone makes a row coarse") {
+  const geodrop::TemporaryDirectory directory;
+  const std::string output = directory / "results";
+  const auto verify = [&](const std::string& target, const std::string& more) {
+    return run_program({"verify", bar(directory, target, more), "--output", output});
+  };
+  CHECK(verify("1e-6", "shortfall = \"lumped mass\"\nguard = 1e-5\n").code == 1);
+  CHECK(verify("1e-6", "quick_target = 1e-5\n").code == 1);
+  const Outcome coarse = verify("1e-6", "quick_target = 0.0005\n");
+  CHECK(coarse.code == 0);
+  CHECK(contains(coarse.out, "0 of 1 targets met, 1 coarse: within their quick target"));
+}
+
+TEST_CASE("A control that breaks is exit code 1, unless the scene foretells its message") {
+  const geodrop::TemporaryDirectory directory;
+  const auto verify =
+      [&](const std::string& breaks) {
+        const std::string scene = bar(directory, "0.0005");
+        std::ofstream(scene, std::ios::app)
+            << "\n[[variants]]\nname = \"turned inside out\"\nset = [\"bodies.bar.initial_velocity.amplitude=50\"]\n"
+            << "control = true\n"
+            << breaks;
+        return run_program({"verify", scene, "--output", directory / "results"});
+      };
+  const Outcome unforetold = verify("");
+  CHECK(unforetold.code == 1);
+  CHECK(contains(unforetold.out, "1 of 2 controls"));
+  CHECK(verify("breaks = \"has no volume left\"\n").code == 0);
+  CHECK(verify("breaks = \"energy grows without cause\"\n").code == 1);
 }
 
 TEST_CASE("A control that meets all targets is exit code 1") {
@@ -108,13 +143,13 @@ TEST_CASE("A control that meets all targets is exit code 1") {
 TEST_CASE("The generated part of a page is replaced, the rest of it stays") {
   const geodrop::TemporaryDirectory directory;
   const std::string page = directory / "page.md";
-  std::ofstream(page) << "before\n<!-- geodrop verify -->\nold\n<!-- end of geodrop verify -->\nafter\n";
+  std::ofstream(page) << "before\n<!-- geodrop verify -->\nan earlier table\n<!-- end of geodrop verify -->\nafter\n";
   const std::string scene = bar(directory, "0.0005");
   CHECK(run_program({"verify", scene, "--output", directory / "results", "--page", page}).code == 0);
   const std::string text = read_file(page);
   CHECK(text.starts_with("before\n<!-- geodrop verify -->\n1 of 1 targets met"));
-  CHECK(text.ends_with("|\n<!-- end of geodrop verify -->\nafter\n"));
-  CHECK_FALSE(contains(text, "old"));
+  CHECK(text.ends_with("\n<!-- end of geodrop verify -->\nafter\n"));
+  CHECK_FALSE(contains(text, "an earlier table"));
   std::ofstream(page) << "no marks\n";
   const Outcome refused = run_program({"verify", scene, "--output", directory / "results", "--page", page});
   CHECK(refused.code == 1);

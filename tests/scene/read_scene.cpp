@@ -228,17 +228,24 @@ TEST_CASE("what verify judges by, and the runs that it makes, as written; withou
   const Scene scene = without_places(read_scene(every_key));
   VerifySpec verify;
   verify.result = "last_m_s";
+  verify.over = "percentile_m_s";
   verify.what = "velocity at the end";
   verify.expected = 3.3;
+  verify.kind = ReferenceKind::regression;
   verify.scale = 2;
   verify.target = 0.01;
   verify.quick_target = 0.02;
   verify.least_order = 1.5;
   verify.source = "measured";
   verify.shortfall = "not tried yet";
+  verify.guard = 0.05;
+  verify.loose = "tried once";
   CHECK(scene.verify == std::vector<VerifySpec>{verify});
-  CHECK(scene.variants == std::vector<VariantSpec>{{"coarse", {"grid.spacing=1.0"}, VerifyMode::full, true, {}}});
-  const Scene defaults = read_scene(every_key, {"variants.0.set=", "variants.0.in=", "variants.0.control="});
+  const VariantSpec coarse{"coarse", {"grid.spacing=1.0"}, VerifyMode::full, true, {"last_m_s"}, "no volume left", {}};
+  CHECK(scene.variants == std::vector<VariantSpec>{coarse});
+  const Scene defaults = read_scene(every_key, {"variants.0.set=", "variants.0.in=", "variants.0.control=",
+                                                "variants.0.of=", "variants.0.breaks=", "verify.0.kind="});
+  CHECK(defaults.verify.at(0).kind == ReferenceKind::reference);
   CHECK(defaults.variants.at(0).set.empty());
   CHECK(defaults.variants.at(0).in == VerifyMode::both);
   CHECK_FALSE(defaults.variants.at(0).control);

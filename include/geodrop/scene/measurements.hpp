@@ -127,17 +127,25 @@ struct ExpectSpec {
   bool operator==(const ExpectSpec&) const = default;
 };
 
+/// What an expected value is: a closed form, a published value or an independent computation; or a result of the code
+/// itself, which can show that something has changed and no more.
+enum class ReferenceKind { reference, regression };
+
 /// What `geodrop verify` judges a scene by: a result beside its reference.
 struct VerifySpec {
   std::string result;
-  std::string what;         ///< in words, with the unit of the error
-  double expected = 0;      ///< in the unit of the result
+  std::string over;     ///< another result that the value is divided by; empty: none
+  std::string what;     ///< in words, with the unit of the error
+  double expected = 0;  ///< in the unit of the result, or of the quotient
+  ReferenceKind kind = ReferenceKind::reference;
   double scale = 0;         ///< the error is |value - expected| over this; 0: over |expected|
   double target = 0;        ///< largest error of the last variant of a full verification
   double quick_target = 0;  ///< of a quick one, which stops at a coarser grid; 0: the same
   double least_order = 0;   ///< of the error over all variants against the grid spacing; 0: none is asked for
   std::string source;
   std::string shortfall;  ///< why the target is known to be missed; empty: it is not
+  double guard = 0;       ///< largest error that a known miss may have; 0 without a shortfall
+  std::string loose;      ///< why the target is more than three times the error; empty: it is not
   SourceRef at;
   bool operator==(const VerifySpec&) const = default;
 };
@@ -150,6 +158,9 @@ struct VariantSpec {
   std::vector<std::string> set;  ///< overrides, each as after --set
   VerifyMode in = VerifyMode::both;
   bool control = false;  ///< broken on purpose: has to miss a target
+  std::vector<std::string>
+      of;              ///< results whose targets a control has to miss, each; empty: that of the only [[verify]]
+  std::string breaks;  ///< part of the message that a control has to break with; empty: it has to run to its end
   SourceRef at;
   bool operator==(const VariantSpec&) const = default;
 };
