@@ -9,6 +9,9 @@ set_source_files_properties("${PROJECT_SOURCE_DIR}/tests/support/paths.cpp" PROP
                             "GEODROP_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\";GEODROP_PROGRAM=\"$<TARGET_FILE:geodrop>\"")
 add_dependencies(geodrop_tests geodrop)
 
+add_test(NAME wrapper COMMAND "${PROJECT_SOURCE_DIR}/tests/wrapper.sh")
+set_tests_properties(wrapper PROPERTIES LABELS wrapper)
+
 foreach(source IN LISTS test_sources)
   cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/tests" OUTPUT_VARIABLE relative)
   if(relative STREQUAL "main.cpp" OR relative MATCHES "^support/")

@@ -27,6 +27,7 @@ std::string describe_all(const std::string& file, const std::vector<SceneProblem
 
 }  // namespace
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): callers hand over temporaries, and an error is made once
 SceneError::SceneError(std::string file, std::vector<SceneProblem> problems)
     : std::runtime_error(describe_all(file, problems)), problems_(std::move(problems)) {}
 

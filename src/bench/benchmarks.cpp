@@ -110,7 +110,8 @@ Scene block_scene(const Benchmark& bench, const BlockSize& size) {
   const int d = bench.dimension;
   const int cells = static_cast<int>(std::lround(std::pow(size.particles, 1.0 / d) / per_cell_axis));
   const int box = static_cast<int>(std::lround((cells + 2 * margin) * size.domain_factor));
-  const double low = (box - cells) / 2;  // whole: blocks of different boxes lie alike in their cells
+  const int beside = (box - cells) / 2;  // whole: blocks of different boxes lie alike in their cells
+  const double low = beside;
   Scene scene;
   scene.dimension = d;
   scene.grid = {Point(d, 0.0), Point(d, box), 1, bench.basis, {}};

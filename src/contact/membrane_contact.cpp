@@ -155,7 +155,7 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
   const PenaltyForce push = penalty_force(penalty_of(contact, 0.5 * node_length(pass.slave, k)), -gap, normal.dot(v),
                                           pass.slip[k] + dt * along.dot(v));
   pass.slip[k] = push.stretch;
-  const Vec<2> force = push.normal * normal + push.friction * along;
+  Vec<2> force = push.normal * normal + push.friction * along;
   add_load(pass.slave, k, force);
   add_load(pass.master, foot.segment, -(1 - foot.share) * force);
   add_load(pass.master, end, -foot.share * force);

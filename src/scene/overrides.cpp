@@ -89,7 +89,7 @@ void set_value(toml::node& node, const std::string& word, const std::string& val
     const std::size_t index = find_element(*list, word, above);
     toml::table parsed = parse_value(value);
     std::move(*parsed.get("x")).visit([&](auto&& x) {
-      list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(index), std::move(x));
+      list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(index), std::forward<decltype(x)>(x));
     });
     return;
   }
@@ -101,7 +101,7 @@ void set_value(toml::node& node, const std::string& word, const std::string& val
     return;
   }
   toml::table parsed = parse_value(value);
-  std::move(*parsed.get("x")).visit([&](auto&& x) { table->insert_or_assign(word, std::move(x)); });
+  std::move(*parsed.get("x")).visit([&](auto&& x) { table->insert_or_assign(word, std::forward<decltype(x)>(x)); });
 }
 
 void apply(toml::table& scene, const std::string& key, const std::string& value) {
