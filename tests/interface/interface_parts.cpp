@@ -160,6 +160,19 @@ TEST_CASE("int grad N over the part of a cell inside, by hand; the part outside 
   }
 }
 
+TEST_CASE("What a membrane sweeps over as it moves is the integral of N along it") {
+  constexpr double step = 1e-5;
+  const auto rest_of_cell = [](double left) {
+    SharpBox box = full({left, 5.8, 2.75, 6.25});
+    share_interface_pressure(box.state, box.grids);
+    return box.part(box.inside(), 3, 4).elsewhere;
+  };
+  const std::array<double, 9> before = rest_of_cell(2.75 - step), after = rest_of_cell(2.75 + step);
+  const double at[] = {0.28125, 0.6875, 0.03125}, along[] = {1.0 / 6, 2.0 / 3, 1.0 / 6};  // N at x = 2.75; int N
+  for (int n = 0; n < 9; ++n)
+    CHECK((after[n] - before[n]) / (2 * step) == within(at[n % 3] * along[n / 3], 1e-9));  // N'' / 6 of the square
+}
+
 TEST_CASE("Volume ratios near their cell's mean by 0.1 c dt / h of the difference") {
   SharpBox box;
   Body<2>& water = box.state.bodies[0];

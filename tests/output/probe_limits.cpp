@@ -1,8 +1,11 @@
 // Probes where it comes to the last digit: how near to a tip counts as near, where between two columns a heap ends.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "output/front_probe.hpp"
 #include "output/pressure_probe.hpp"
+#include "output/strays.hpp"
 #include "support/near.hpp"
 #include "support/small_state.hpp"
 
@@ -45,4 +48,17 @@ TEST_CASE("The front of a heap lies between the middles of two columns, where th
     CHECK(fronts.left == near(4.5 - (0.7 - least) / 0.5, 1e-12));
     CHECK(fronts.right == near(6.5 + (0.8 - least) / 0.7, 1e-12));
   }
+}
+
+TEST_CASE("Strays count whichever way the nodes of the membrane run") {
+  State<2> state;
+  state.bodies = {body_at(small_scene().materials[0], {{4.0, 4.0}, {5.5, 4.0}}, 500)};
+  state.bodies[0].name = "pool";
+  state.membranes = {square_membrane()};
+  Membrane<2>& skin = state.membranes[0];
+  CHECK(strays_inside(state, skin) == near(0.5, 1e-14));
+  for (auto& component : skin.x) std::reverse(component.begin(), component.end());
+  CHECK(strays_inside(state, skin) == near(0.5, 1e-14));
+  state.bodies[0].field = waiting;
+  CHECK(strays_inside(state, skin) == 0);
 }
