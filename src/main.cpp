@@ -16,6 +16,7 @@
 
 #include <omp.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -36,6 +37,7 @@ struct Arguments {
   int threads = 0;
   double until = 0;
   bool resume = false;
+  bool overwrite = false;
   bool verify = false;
   bool quick = false;
   bool growth = false;
@@ -81,6 +83,13 @@ void restart_with_patient_threads(char** argv) {
   execv("/proc/self/exe", argv);
 }
 
+/// A file that is opened first must not get the number of an output that the caller closed: what is printed would land
+/// in it.
+void open_closed_outputs() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) == -1 && open("/dev/null", O_RDWR) != descriptor) std::abort();
+}
+
 /// Number of threads to use; warns if there are fewer cores.
 int choose_threads(int asked) {
   const int cores = omp_get_num_procs();
@@ -96,6 +105,8 @@ int run(const Arguments& arguments) {
   options.threads = choose_threads(arguments.threads);
   options.resume = arguments.resume;
   options.end = arguments.until;
+  options.earlier = arguments.overwrite ? geodrop::EarlierRun::overwrite : geodrop::EarlierRun::move_aside;
+  options.command = geodrop::shell_command(arguments.command);
   options.resume_command = geodrop::resume_command(arguments.command);
   omp_set_num_threads(options.threads);
   return geodrop::run_scene(geodrop::read_scene(arguments.scene, arguments.overrides), options, arguments.verify);
@@ -173,6 +184,7 @@ void add_bench_options(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_closed_outputs();
   restart_with_patient_threads(argv);
   CLI::App app{"geodrop: Material Point Method for soil, water and geotextile", "geodrop"};
   app.set_version_flag("--version", std::string("geodrop ") + GEODROP_VERSION);
@@ -187,7 +199,12 @@ int main(int argc, char** argv) {
   run_command->add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
   run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
       ->check(positive_time());
-  run_command->add_flag("--resume", arguments.resume, "go on from the checkpoint in the run directory");
+  auto* resume =
+      run_command->add_flag("--resume", arguments.resume, "go on from the newest checkpoint in the run directory");
+  run_command
+      ->add_flag("--overwrite", arguments.overwrite,
+                 "replace an earlier run in the run directory (default: it becomes NAME.1, NAME.2, ...)")
+      ->excludes(resume);
   run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
   auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
   add_scene(*check_command, arguments);
@@ -240,6 +257,12 @@ int main(int argc, char** argv) {
   } catch (const geodrop::SceneError& error) {
     std::cerr << error.what() << '\n';
     return exit_usage;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "geodrop: " << error.what() << '\n';
+    return geodrop::exit_not_written;
+  } catch (const geodrop::WriteError& error) {
+    std::cerr << "geodrop: " << error.what() << '\n';
+    return geodrop::exit_not_written;
   } catch (const geodrop::RunError& error) {
     std::cerr << "geodrop: " << error.what() << '\n';
     return 1;

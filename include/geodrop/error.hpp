@@ -1,4 +1,4 @@
-// The two ways in which a run can go wrong for a reason that is not a programmer's mistake.
+// The ways in which a run can go wrong for a reason that is not a programmer's mistake.
 #pragma once
 
 #include <stdexcept>
@@ -42,6 +42,12 @@ class SceneError : public std::runtime_error {
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// The disk does not take what is to be written: full, read-only, gone. Exit code 74.
+class WriteError : public RunError {
+ public:
+  using RunError::RunError;
 };
 
 }  // namespace geodrop

@@ -1,12 +1,9 @@
 // history.csv: one row of named numbers per output time, kept in memory as well because results are made from it.
 #pragma once
 
-#include <cstdio>
-#include <filesystem>
 #include <geodrop/measure.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,20 +25,5 @@ std::vector<std::string> history_columns(const Scene& scene);
 /// dissipated energy counts from the first one.
 template <int Dim>
 std::vector<double> history_row(const Scene& scene, const State<Dim>& state, const HistoryTable& earlier);
-
-/// Writes rows as they come, flushed, with nine digits. Throws RunError if the disk does not take them.
-class HistoryFile {
- public:
-  /// Writes the header and all rows of `table` anew.
-  HistoryFile(const std::filesystem::path& path, const HistoryTable& table);
-  void append(const std::vector<double>& row);
-
- private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
-};
 
 }  // namespace geodrop

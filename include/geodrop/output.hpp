@@ -1,17 +1,21 @@
-// Everything that a run leaves behind: its directory, frames, history, checkpoint, log, progress, summary.
+// Everything that a run leaves behind: its directory, frames, history, checkpoints, log, progress, summary.
 //
 // How the step loop uses it:
 //
 //     Output<Dim> output(scene, options);                     // makes or takes over the run directory
 //     if (options.resume) state = output.resume();            // else: output.start(Frame(state)) writes frame and row
-//     0 while (state.t < end && !stop_requested()) {
+//     while (state.t < end && !stop_requested() && !output.blocked()) {
 //       advance(...);
 //       if (output.history_due(state.t)) { output.write_history(Frame(state)); reset tension peaks }
 //       if (output.frame_due(state.t)) output.write_frame(Frame(state));
+//       if (output.checkpoint_due(state.t)) output.checkpoint(Frame(state));
 //       output.progress(state.t, state.step);
 //     }
-//     stopped: output.checkpoint(Frame(state));               // writes a frame, too
+//     not failed: output.checkpoint(Frame(state));
 //     Summary summary = output.finish(Frame(state), statistics);
+//
+// What the disk does not take once a run has begun throws nothing, since the state would be left between two outputs:
+// it is kept in memory, `blocked` says so, and the step loop ends at the end of its step.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +32,12 @@ namespace geodrop {
 /// Exit code of a run that was stopped and can be resumed.
 inline constexpr int exit_stopped = 75;
 
+/// Exit code of a run (or another command) whose files the disk does not take.
+inline constexpr int exit_not_written = 74;
+
+/// What becomes of the files of an earlier run in the same directory: the whole directory is renamed, or they go.
+enum class EarlierRun { move_aside, overwrite };
+
 /// Where a run tells of itself: run.log always.
 enum class Telling { terminal, log_only };
 
@@ -35,13 +45,16 @@ struct RunOptions {
   std::filesystem::path directory;  ///< empty: runs/<name of the scene file>
   int threads = 1;
   bool resume = false;
-  double end = 0;              ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
+  double end = 0;  ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
+  EarlierRun earlier = EarlierRun::move_aside;
+  std::string command;         ///< as it was typed, for the summary
   std::string resume_command;  ///< how to go on, shown when the run was stopped
   Telling telling = Telling::terminal;
 };
 
-/// How a run ended.
-enum class RunStatus { done, stopped, failed };
+/// How a run ended. A run that was killed is `running` for ever in its summary. `blocked`: the disk did not take a
+/// file; it can go on as one that was stopped.
+enum class RunStatus { running, done, stopped, blocked, failed };
 
 /// Wall time of one stage of the step.
 struct StageTime {
@@ -58,7 +71,7 @@ struct Fact {
 /// What only the step loop knows about a run.
 struct RunStatistics {
   RunStatus status = RunStatus::done;
-  std::string message;      ///< of the error, if status is failed
+  std::string message;      ///< of the error, if status is failed or blocked
   double wall_seconds = 0;  ///< of the step loop in this process, output included
   std::uint64_t steps = 0;  ///< in this process
   std::vector<StageTime> stages;
@@ -67,7 +80,7 @@ struct RunStatistics {
 
 struct Summary {
   std::vector<Result> results;
-  std::vector<Expectation> expectations;
+  std::vector<Expectation> expectations;  ///< of a run that is done; others are not judged
   std::string state_hash;
   bool expectations_met = true;
 };
@@ -79,14 +92,14 @@ template <int Dim>
 class Output {
  public:
   /// Keeps a reference to the scene. Throws SceneError if a result names no column, if the directory holds other things
-  /// than an earlier run, or, with `resume`, no checkpoint (a finished run has none) or one that is not before the time
-  /// `end`. Nothing was written then. An earlier run's files are
-  /// replaced; says so in the log.
+  /// than an earlier run, if another run is at work there, or, with `resume`, there is no good checkpoint, the run is
+  /// finished, or the checkpoint is not before the time `end`. Nothing was written then. Throws WriteError if the disk
+  /// refuses.
   Output(const Scene& scene, const RunOptions& options);
   ~Output();
 
   const std::filesystem::path& directory() const;
-  /// State of the checkpoint; the record of frames and rows is cut back to it.
+  /// State of the newest good checkpoint; frames, their collections and rows are cut back to it.
   State<Dim> resume();
   /// Writes frame 0 and row 0.
   void start(Frame<Dim> frame);
@@ -96,23 +109,29 @@ class Output {
   bool frame_due(double t) const;
   /// Adds a row; `tension_peak` of the membranes counts from the row before, so reset it to zero afterwards.
   void write_history(Frame<Dim> frame);
-  /// Copies the frame and hands it to the writer thread; waits if two are queued. Throws RunError if an earlier frame
-  /// could not be written.
+  /// Copies the frame and hands it to the writer thread; waits if two are queued.
   void write_frame(Frame<Dim> frame);
-  /// Writes a frame (unless this time has one) and checkpoint.bin.
+  /// True when an interval of wall time or of simulated time has passed since the last one.
+  bool checkpoint_due(double t) const;
+  /// Waits until the frames so far are on disk, then writes checkpoint.bin and keeps the one before. Makes no frame and
+  /// no row: a resumed run leaves those of an uninterrupted one.
   void checkpoint(Frame<Dim> frame);
+  /// Whether the disk did not take something; cheap enough for every step.
+  bool blocked() const;
+  /// What it did not take first, and why.
+  std::string trouble() const;
   /// To be called after every step: on a terminal renews the progress line a few times a second.
   void progress(double t, std::uint64_t step);
   /// A line for run.log and the terminal.
   void log(const std::string& line);
 
-  /// Writes the last frame and row (no row when stopped: a resumed run then has the rows of an uninterrupted one),
-  /// waits for the writer, prints the tables, writes summary.json. Removes the checkpoint if the run reached the end of
-  /// its scene.
+  /// Writes the last frame and row (no row when stopped), which a resumed run takes back, waits for the writer, prints
+  /// the tables, writes summary.json. A run that reached the end of its scene keeps its last checkpoint only.
   Summary finish(Frame<Dim> frame, const RunStatistics& statistics);
 
  private:
-  void write_last_frame(Frame<Dim> frame, RunStatus status);
+  void write_last(Frame<Dim> frame, RunStatus status);
+  void write_pending();
   void print_end(Frame<Dim> frame, const RunStatistics& statistics, const Summary& summary);
 
   struct Parts;

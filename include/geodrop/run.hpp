@@ -19,7 +19,8 @@ struct RunOutcome {
 RunOutcome perform_run(const Scene& scene, const RunOptions& options);
 
 /// Runs the scene (or goes on from its checkpoint) and leaves a run directory. Returns the exit code: 0 done, 1 broken
-/// (the last frame is kept) or, with `verify`, an expectation not met, 75 stopped with a checkpoint.
+/// (the last frame is kept) or, with `verify`, an expectation not met, 74 the disk does not take its files, 75 stopped
+/// with a checkpoint.
 int run_scene(const Scene& scene, const RunOptions& options, bool verify);
 
 /// The facts of the scene's first state, see state_facts.

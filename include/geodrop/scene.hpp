@@ -46,6 +46,7 @@ struct Scene {
   std::vector<VerifySpec> verify;
   std::vector<VariantSpec> variants;
   std::string as_run;  ///< the scene as TOML with overrides applied and all defaults filled in
+  CheckpointSpec checkpoints;
   bool operator==(const Scene&) const = default;
 };
 

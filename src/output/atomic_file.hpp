@@ -9,9 +9,15 @@
 
 namespace geodrop {
 
+/// A FILE that closes itself.
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
 class AtomicFile {
  public:
-  /// Throws RunError, as all functions here, if the disk does not take it.
+  /// Begins NAME.part. One that a killed run left is removed; a link is never followed, since it may lead to anything
+  /// where others may write. Throws WriteError, as all functions here, if the disk does not take it.
   explicit AtomicFile(std::filesystem::path path);
   /// Removes what was written unless it was committed.
   ~AtomicFile();
@@ -19,16 +25,21 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(const void* first, std::size_t bytes);
+  /// A name for whoever writes by a name: it leads to this file, whatever stands under NAME.part by then.
+  std::string name_for_others() const;
+  /// On disk, under its name, when this returns: a power cut takes neither content nor name away.
   void commit();
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   std::filesystem::path path_, temporary_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<std::FILE, CloseFile> file_;
 };
 
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
+
+/// Puts on disk which names a directory holds.
+void sync_directory(const std::filesystem::path& directory);
+
+[[noreturn]] void throw_not_written(const std::filesystem::path& path, int error);
 
 }  // namespace geodrop

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 #include <ctime>
-#include <geodrop/error.hpp>
 
 #include "text.hpp"
 
@@ -28,16 +26,10 @@ std::string clock_time(double seconds) {
   return text.data();
 }
 
-std::FILE* open_log(const std::filesystem::path& path, LogMode mode) {
-  std::FILE* file = std::fopen(path.c_str(), mode == LogMode::begin ? "w" : "a");
-  if (!file) throw RunError("cannot write " + path.string() + ": " + std::strerror(errno));
-  return file;
-}
-
 }  // namespace
 
 Console::Console(const std::filesystem::path& log, LogMode mode, Telling telling)
-    : log_(open_log(log, mode)),
+    : log_(log, mode == LogMode::begin ? GrowingFile::Begin::anew : GrowingFile::Begin::behind),
       telling_(telling),
       is_terminal_(telling == Telling::terminal && isatty(STDOUT_FILENO) == 1) {}
 
@@ -48,8 +40,7 @@ void Console::print(const std::string& text) {
     std::fputs(line.c_str(), stdout);
     std::fflush(stdout);
   }
-  if (std::fputs(line.c_str(), log_.get()) < 0 || std::fflush(log_.get()) != 0)
-    throw RunError(std::string("cannot write run.log: ") + std::strerror(errno));
+  log_.append(line);
 }
 
 void Console::show(const std::string& progress) {

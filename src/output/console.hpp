@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <geodrop/output.hpp>
-#include <memory>
 #include <string>
+
+#include "growing_file.hpp"
 
 namespace geodrop {
 
@@ -15,21 +15,21 @@ enum class LogMode { begin, append };
 
 class Console {
  public:
+  /// Throws WriteError if run.log cannot be opened.
   Console(const std::filesystem::path& log, LogMode mode, Telling telling);
-  /// To run.log and, unless it is all for the log, the terminal (or wherever the output goes). Throws RunError if the
-  /// disk does not take it.
+  /// To run.log and, unless it is all for the log, the terminal (or wherever the output goes). A terminal or a pipe
+  /// that is gone is no concern of a run.
   void print(const std::string& text);
+  /// Why run.log was not written; empty if it was.
+  const std::string& failure() const { return log_.failure(); }
   /// Replaces the progress line; does nothing where the output is no terminal.
   void show(const std::string& progress);
   bool is_terminal() const { return is_terminal_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   void clear_progress();
 
-  std::unique_ptr<std::FILE, Close> log_;
+  GrowingFile log_;
   Telling telling_;
   bool is_terminal_;
   bool progress_shown_ = false;

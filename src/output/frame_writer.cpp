@@ -1,11 +1,37 @@
 #include "frame_writer.hpp"
 
+#include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace geodrop {
 namespace {
 
 constexpr std::size_t queue_limit = 2;
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+std::size_t bytes_of(const std::vector<Field>& fields) {
+  std::size_t bytes = 0;
+  for (const Field& field : fields) bytes += bytes_of(field.values);
+  return bytes;
+}
+
+/// Upper bound of what the files of a frame take, uncompressed [byte].
+std::size_t bytes_on_disk(const Snapshot& of) {
+  constexpr std::size_t cell = 12;         // connectivity, offset, type
+  constexpr std::size_t rest = 32 * 1024;  // all that is no number, and whole blocks of the disk
+  const std::size_t cells = of.particles.id.size() + of.membranes.membrane.size() + of.rigid.rigid.size();
+  const std::size_t bytes = cells * cell + bytes_of(of.particles.points) + bytes_of(of.particles.fields) +
+                            bytes_of(of.particles.layer) + bytes_of(of.particles.material) +
+                            bytes_of(of.particles.body) + bytes_of(of.particles.id) + bytes_of(of.membranes.points) +
+                            bytes_of(of.membranes.fields) + bytes_of(of.membranes.membrane) +
+                            bytes_of(of.rigid.points) + bytes_of(of.rigid.fields) + bytes_of(of.rigid.rigid);
+  return 4 * bytes / 3 + rest;  // four letters for three bytes
+}
 
 }  // namespace
 
@@ -27,8 +53,8 @@ FrameWriter::~FrameWriter() {
 
 void FrameWriter::submit(Snapshot snapshot) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return queue_.size() < queue_limit || failure_; });
-  throw_if_failed();
+  changed_.wait(lock, [&] { return queue_.size() < queue_limit || paused_; });
+  frame_bytes_ = std::max(frame_bytes_, bytes_on_disk(snapshot));
   snapshot.index = times_.size();
   times_.push_back(snapshot.t);
   queue_.push_back(std::move(snapshot));
@@ -37,32 +63,44 @@ void FrameWriter::submit(Snapshot snapshot) {
 
 void FrameWriter::wait() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return queue_.empty() || failure_; });
-  throw_if_failed();
+  changed_.wait(lock, [&] { return queue_.empty() || paused_; });
 }
 
-void FrameWriter::throw_if_failed() {
-  if (failure_) std::rethrow_exception(failure_);
+std::string FrameWriter::failure() {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+std::size_t FrameWriter::try_again() {
+  std::unique_lock lock(mutex_);
+  paused_ = false;
+  changed_.notify_all();
+  changed_.wait(lock, [&] { return queue_.empty() || paused_; });
+  return queue_.size();
 }
 
 void FrameWriter::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [&] { return !queue_.empty() || closing_; });
-    if (queue_.empty() || failure_) return;
+    changed_.wait(lock, [&] { return (!queue_.empty() && !paused_) || closing_; });
+    if (queue_.empty() || paused_) return;
     const Snapshot& snapshot = queue_.front();  // a deque keeps it in place while others are queued
     lock.unlock();
-    std::exception_ptr failure;
+    std::string failure;
     try {
       write(snapshot);
-    } catch (...) {
-      failure = std::current_exception();
+    } catch (const std::exception& error) {
+      failure = error.what();
     }
     lock.lock();
-    failure_ = failure;
-    queue_.pop_front();
+    paused_ = !failure.empty();
+    if (paused_) {
+      if (failure_.empty()) failure_ = failure;
+      failed_ = true;
+    } else {
+      queue_.pop_front();
+    }
     changed_.notify_all();
-    if (failure_) return;
   }
 }
 
@@ -74,6 +112,7 @@ void FrameWriter::write(const Snapshot& snapshot) {
   const bool has_membranes = !snapshot.membranes.points.empty();
   if (has_membranes) write_membranes(path("membranes", "vtp"), snapshot.membranes, snapshot.t, compression_);
   if (snapshot.has_rigid) write_rigid(path("rigid", "vtp"), snapshot.rigid, snapshot.t, compression_);
+  written_times_.resize(snapshot.index);  // a second try begins anew
   written_times_.push_back(snapshot.t);
   write_collection(directory_, "particles", "vtu", written_times_);
   if (has_membranes) write_collection(directory_, "membranes", "vtp", written_times_);

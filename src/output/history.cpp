@@ -1,9 +1,6 @@
 // The rows of history.csv. Names and values are listed by the same functions, so that they cannot fall out of step.
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <geodrop/error.hpp>
 #include <geodrop/find_named.hpp>
 #include <geodrop/history.hpp>
 #include <numbers>
@@ -278,10 +275,6 @@ Row list(const Scene& scene, const State<Dim>* state, const HistoryTable& earlie
   return row;
 }
 
-[[noreturn]] void throw_not_written(const std::filesystem::path& path) {
-  throw RunError("cannot write " + path.string() + ": " + std::strerror(errno));
-}
-
 }  // namespace
 
 std::size_t HistoryTable::find(const std::string& column) const {
@@ -295,21 +288,6 @@ std::vector<std::string> history_columns(const Scene& scene) {
 template <int Dim>
 std::vector<double> history_row(const Scene& scene, const State<Dim>& state, const HistoryTable& earlier) {
   return list<Dim>(scene, &state, earlier).values;
-}
-
-HistoryFile::HistoryFile(const std::filesystem::path& path, const HistoryTable& table)
-    : path_(path), file_(std::fopen(path.c_str(), "w")) {
-  if (!file_) throw_not_written(path_);
-  std::string header;
-  for (const std::string& column : table.columns) header += (header.empty() ? "" : ",") + column;
-  if (std::fprintf(file_.get(), "%s\n", header.c_str()) < 0 || std::fflush(file_.get()) != 0) throw_not_written(path_);
-  for (const std::vector<double>& row : table.rows) append(row);
-}
-
-void HistoryFile::append(const std::vector<double>& row) {
-  std::string line;
-  for (const double value : row) line += (line.empty() ? "" : ",") + format_number(value);
-  if (std::fprintf(file_.get(), "%s\n", line.c_str()) < 0 || std::fflush(file_.get()) != 0) throw_not_written(path_);
 }
 
 template std::vector<double> history_row(const Scene&, const State<2>&, const HistoryTable&);

@@ -1,69 +1,30 @@
 // Joins the parts of the output room for the step loop.
-#include <geodrop/checkpoint.hpp>
 #include <geodrop/error.hpp>
 #include <geodrop/output.hpp>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/scene_reader.hpp>
-#include <geodrop/version.hpp>
 
 #include "atomic_file.hpp"
 #include "console.hpp"
 #include "frame_writer.hpp"
 #include "geotube_probe.hpp"
+#include "history_file.hpp"
 #include "mach_numbers.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
+#include "run_report.hpp"
+#include "schedule.hpp"
 #include "summary.hpp"
+#include "take_over.hpp"
 #include "text.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <chrono>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace geodrop {
 namespace {
 
-constexpr const char* checkpoint_name = "checkpoint.bin";
-constexpr int time_digits = 6;
-
-/// The multiples of an interval, each of which is due once: at the first time at or after it.
-class Schedule {
- public:
-  explicit Schedule(double interval) : interval_(interval) {}
-  bool due(double t) const { return interval_ > 0 && t >= (next_ - rounding) * interval_; }
-  void pass(double t) {
-    if (interval_ <= 0) return;
-    next_ = std::max(next_, std::floor(t / interval_));
-    while (due(t)) ++next_;
-  }
-
- private:
-  static constexpr double rounding = 1e-9;  ///< 6 times 0.1 is more than 0.6
-  double interval_;
-  double next_ = 0;  ///< a whole number
-};
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
-
-std::string describe_run(const Scene& scene, const RunOptions& options) {
-  return std::string("geodrop ") + GEODROP_VERSION + " on " + host_name() + ", " + std::to_string(options.threads) +
-         " of " + std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
-}
-
-std::string facts_text(const std::vector<Fact>& facts) {
-  std::vector<std::vector<std::string>> lines;
-  for (const Fact& fact : facts) lines.push_back({fact.name, format_number(fact.value, 6), unit_of_name(fact.name)});
-  return format_table(lines, "lrl");
-}
+using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> names(const std::vector<MaterialSpec>& materials) {
   std::vector<std::string> list;
@@ -72,34 +33,6 @@ std::vector<std::string> names(const std::vector<MaterialSpec>& materials) {
 }
 
 LogMode log_mode(bool resume) { return resume ? LogMode::append : LogMode::begin; }
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& option, const std::string& found,
-                         const std::string& allowed) {
-  throw SceneError(path.string(), {{{}, option, found, allowed, ProblemSource::elsewhere}});
-}
-
-template <int Dim>
-Checkpoint<Dim> check_resume(const Scene& scene, const RunOptions& options, const std::filesystem::path& directory) {
-  const std::filesystem::path path = directory / checkpoint_name;
-  if (const auto t = done_at(directory); t && !std::filesystem::exists(path))
-    refuse(directory, "--resume", "a run that is finished (t = " + format_number(*t, time_digits) + " s)",
-           "a run that was stopped with a checkpoint");
-  Checkpoint<Dim> checkpoint = read_checkpoint<Dim>(path, scene);
-  if (const double t = checkpoint.state.t; options.end > 0 && options.end <= t)
-    refuse(path, "--until", format_number(options.end, time_digits),
-           "a time after the checkpoint's, " + format_number(t, time_digits) + " s");
-  return checkpoint;
-}
-
-/// All that can refuse a run, before anything is written.
-template <int Dim>
-std::optional<Checkpoint<Dim>> check_run(const Scene& scene, const RunOptions& options,
-                                         const std::filesystem::path& directory) {
-  check_results(scene);
-  if (options.resume) return check_resume<Dim>(scene, options, directory);
-  check_replaceable(directory);
-  return std::nullopt;
-}
 
 double end_of_run(const Scene& scene, const RunOptions& options) {
   return options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
@@ -113,23 +46,50 @@ struct Output<Dim>::Parts {
       : scene(scene_),
         options(options_),
         directory(choose_directory(scene, options.directory)),
-        resumed(check_run<Dim>(scene, options, directory)),
-        replaced(options.resume ? 0 : prepare_directory(directory)),
+        place(take_place(scene, options, directory)),
+        resumed(check_resume<Dim>(scene, options, directory)),
         console(directory / "run.log", log_mode(options.resume), options.telling),
         progress(end_of_run(scene, options), 0),
         rows_due(scene.output.history_interval),
         frames_due(scene.output.frame_interval),
+        checkpoints_due(scene.checkpoints.every),
         history{history_columns(scene), {}},
         frames(directory, scene.output.compress ? Compression::zlib : Compression::none,
-               resumed ? resumed->output.frame_times : std::vector<double>{}) {}
+               resumed ? resumed->checkpoint.output.frame_times : std::vector<double>{}),
+        checkpoints(directory) {
+    identity.started = date_and_time();
+    identity.host = host_name();
+    identity.command = options.command;
+    identity.threads = options.threads;
+  }
 
   void begin(const State<Dim>& state) {
-    particles = state.particles();
-    progress = Progress(end_of_run(scene, options), particles);
+    identity.particles = state.particles();
+    progress = Progress(end_of_run(scene, options), state.particles());
     progress.begin(state.t, state.step);
-    for (const double t : frames.times()) frames_due.pass(t);
-    for (const std::vector<double>& row : history.rows) rows_due.pass(row.front());
+    checkpoints_due.pass(state.t);
     history_file.emplace(directory / "history.csv", history);
+    write_summary(state, RunStatistics{RunStatus::running, "", 0, 0, {}, {}}, {});
+  }
+  void write_summary(const State<Dim>& state, const RunStatistics& statistics, const Summary& summary) {
+    identity.steps = state.step;
+    identity.t = state.t;
+    write_file_atomically(directory / "summary.json", summary_json(scene, identity, statistics, summary));
+  }
+  /// Room for a checkpoint, the frames that may wait to be written, and the end of log and history.
+  void keep_room(const State<Dim>& state) {
+    constexpr std::size_t waiting_frames = 3, ends_of_files = 1 << 18;
+    checkpoints.keep_room(state, record(), waiting_frames * frames.frame_bytes() + ends_of_files);
+  }
+  OutputRecord record() const { return {frames.times(), history.rows}; }
+  /// What the disk refuses while a run goes on is remembered, see the top of output.hpp.
+  template <class Write>
+  void attempt(const Write& write) {
+    try {
+      write();
+    } catch (const WriteError& error) {
+      if (refused.empty()) refused = error.what();
+    }
   }
   bool has_frame(double t) const { return !frames.times().empty() && frames.times().back() == t; }
   bool has_row(double t) const { return !history.rows.empty() && history.rows.back().front() == t; }
@@ -137,28 +97,28 @@ struct Output<Dim>::Parts {
   const Scene& scene;
   RunOptions options;
   std::filesystem::path directory;
-  std::optional<Checkpoint<Dim>> resumed;
-  std::size_t replaced;  ///< files of an earlier run
+  RunPlace place;
+  std::optional<FoundCheckpoint<Dim>> resumed;
+  RunIdentity identity;
   Console console;
   Progress progress;
-  Schedule rows_due, frames_due;
+  Schedule rows_due, frames_due, checkpoints_due;
+  Clock::time_point last_checkpoint = Clock::now();
   HistoryTable history;
   std::optional<HistoryFile> history_file;
   FrameWriter frames;
-  std::size_t particles = 0;
+  CheckpointFiles checkpoints;
+  std::string refused;
 };
 
 template <int Dim>
 Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std::make_unique<Parts>(scene, options)) {
-  parts_->console.print(describe_run(scene, options));
-  if (parts_->replaced > 0)
-    parts_->console.print("replaced an earlier run in " + directory().string() + " (" +
-                          std::to_string(parts_->replaced) + " files)");
+  log(describe_run(scene, options));
+  if (!parts_->place.notice.empty()) log(parts_->place.notice);
   if (options.end > scene.time.end)
-    parts_->console.print("warning: --until " + format_number(options.end, time_digits) +
-                          " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) +
-                          " s");
-  if (!options.resume) write_file_atomically(directory() / "scene.toml", scene.as_run);
+    log("warning: --until " + format_number(options.end, time_digits) +
+        " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) + " s");
+  write_file_atomically(directory() / "scene.toml", scene.as_run);
 }
 
 template <int Dim>
@@ -172,12 +132,18 @@ const std::filesystem::path& Output<Dim>::directory() const {
 template <int Dim>
 State<Dim> Output<Dim>::resume() {
   Parts& parts = *parts_;
-  Checkpoint<Dim> checkpoint = std::move(parts.resumed.value());
-  remove_frames(directory(), checkpoint.output.frame_times.size());
-  parts.history.rows = std::move(checkpoint.output.rows);
-  parts.begin(checkpoint.state);
-  log("resumed at t = " + format_number(checkpoint.state.t) + " s, step " + std::to_string(checkpoint.state.step));
-  return std::move(checkpoint.state);
+  FoundCheckpoint<Dim> found = std::move(parts.resumed.value());
+  if (!found.warning.empty()) log(found.warning);
+  State<Dim>& state = found.checkpoint.state;
+  parts.checkpoints.begin_with(found.name, state.t);
+  cut_back_frames(directory(), parts.frames.times());
+  parts.history.rows = std::move(found.checkpoint.output.rows);
+  parts.rows_due.pass(state.t);
+  parts.frames_due.pass(state.t);
+  parts.begin(state);
+  parts.attempt([&] { parts.keep_room(state); });
+  log("resumed at t = " + format_number(state.t) + " s, step " + std::to_string(state.step));
+  return std::move(state);
 }
 
 template <int Dim>
@@ -185,6 +151,7 @@ void Output<Dim>::start(Frame<Dim> frame) {
   parts_->begin(*frame);
   write_history(frame);
   write_frame(frame);
+  parts_->attempt([&] { parts_->keep_room(*frame); });
 }
 
 template <int Dim>
@@ -195,6 +162,13 @@ bool Output<Dim>::history_due(double t) const {
 template <int Dim>
 bool Output<Dim>::frame_due(double t) const {
   return parts_->frames_due.due(t);
+}
+
+template <int Dim>
+bool Output<Dim>::checkpoint_due(double t) const {
+  const double interval = parts_->scene.checkpoints.interval;
+  return parts_->checkpoints_due.due(t) ||
+         (interval > 0 && std::chrono::duration<double>(Clock::now() - parts_->last_checkpoint).count() >= interval);
 }
 
 template <int Dim>
@@ -216,9 +190,38 @@ void Output<Dim>::write_frame(Frame<Dim> frame) {
 template <int Dim>
 void Output<Dim>::checkpoint(Frame<Dim> frame) {
   Parts& parts = *parts_;
-  if (!parts.has_frame(frame->t)) write_frame(frame);
   parts.frames.wait();  // a checkpoint names only frames that are on disk
-  write_checkpoint(directory() / checkpoint_name, parts.scene, *frame, {parts.frames.times(), parts.history.rows});
+  if (parts.checkpoints.newest_time() != frame->t)
+    parts.attempt([&] {
+      parts.checkpoints.write(parts.scene, *frame, parts.record());
+      if (!blocked()) parts.keep_room(*frame);
+    });
+  if (blocked()) write_pending();
+  parts.checkpoints_due.pass(frame->t);
+  parts.last_checkpoint = Clock::now();
+}
+
+/// The room that was kept free is for this: a checkpoint has its share already, or cannot be had.
+template <int Dim>
+void Output<Dim>::write_pending() {
+  parts_->checkpoints.give_room_back();
+  const std::size_t missing = parts_->frames.try_again();
+  parts_->history_file->catch_up();
+  if (missing > 0) log("warning: no room for the last " + std::to_string(missing) + " frames");
+}
+
+template <int Dim>
+bool Output<Dim>::blocked() const {
+  const Parts& parts = *parts_;
+  return !parts.refused.empty() || parts.frames.failed() || !parts.console.failure().empty() ||
+         (parts.history_file && !parts.history_file->failure().empty());
+}
+
+template <int Dim>
+std::string Output<Dim>::trouble() const {
+  if (parts_->frames.failed()) return parts_->frames.failure();
+  if (parts_->history_file && !parts_->history_file->failure().empty()) return parts_->history_file->failure();
+  return parts_->refused.empty() ? parts_->console.failure() : parts_->refused;
 }
 
 template <int Dim>
@@ -235,53 +238,55 @@ template <int Dim>
 Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop) {
   Parts& parts = *parts_;
   RunStatistics statistics = of_step_loop;
-  if (statistics.status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
-  write_last_frame(frame, statistics.status);
-  if constexpr (Dim == 2)
-    for (const ProbeSpec& spec : parts.scene.probes)
-      if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
-        write_geotube_profile(parts.scene, *probe, *frame, directory());
+  write_last(frame, statistics.status);
   for (const Fact& fact : membrane_peaks(parts.scene, parts.history)) statistics.facts.push_back(fact);
   for (const Fact& fact : mach_numbers(parts.scene, parts.history)) statistics.facts.push_back(fact);
+  if (blocked() && statistics.status != RunStatus::failed) {
+    statistics.status = RunStatus::blocked;
+    statistics.message = trouble();
+  }
 
   Summary summary;
   summary.state_hash = state_hash(*frame);
   summary.results = reduce_all(parts.scene, parts.history);
-  summary.expectations = compare(parts.scene, summary.results);
+  if (statistics.status == RunStatus::done) {
+    summary.expectations = compare(parts.scene, summary.results);
+    parts.checkpoints.keep_newest_only();
+  }
   for (const Expectation& expectation : summary.expectations) summary.expectations_met &= expectation.met;
-  const RunIdentity run{parts.options.threads, frame->step, frame->t, parts.particles};
-  write_file_atomically(directory() / "summary.json", summary_json(parts.scene, run, statistics, summary));
-  // What a finished run was resumed from is of no use any more: it would only repeat the same end.
-  if (statistics.status == RunStatus::done && is_over(parts.scene, *frame))
-    std::filesystem::remove(directory() / checkpoint_name);
+  parts.identity.ended = date_and_time();
+  parts.attempt([&] { parts.write_summary(*frame, statistics, summary); });
   print_end(frame, statistics, summary);
   return summary;
 }
 
 template <int Dim>
-void Output<Dim>::write_last_frame(Frame<Dim> frame, RunStatus status) {
-  try {
-    if (!parts_->has_frame(frame->t)) write_frame(frame);
-    parts_->frames.wait();
-  } catch (const RunError& error) {
-    // A run may have failed because frames cannot be written: the first reason is the one to tell.
-    if (status != RunStatus::failed) throw;
-    log(error.what());
-  }
+void Output<Dim>::write_last(Frame<Dim> frame, RunStatus status) {
+  Parts& parts = *parts_;
+  if (status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
+  if (!blocked() && !parts.has_frame(frame->t)) write_frame(frame);
+  parts.frames.wait();
+  if constexpr (Dim == 2)
+    parts.attempt([&] {
+      for (const ProbeSpec& spec : parts.scene.probes)
+        if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
+          write_geotube_profile(parts.scene, *probe, *frame, directory());
+    });
 }
 
 template <int Dim>
 void Output<Dim>::print_end(Frame<Dim> frame, const RunStatistics& statistics, const Summary& summary) {
-  const double particle_steps = static_cast<double>(statistics.steps) * static_cast<double>(parts_->particles);
+  const std::size_t particles = parts_->identity.particles;
   log("");
-  log(stage_table(statistics.stages, particle_steps));
+  log(stage_table(statistics.stages, static_cast<double>(statistics.steps) * static_cast<double>(particles)));
   if (!statistics.facts.empty()) log(facts_text(statistics.facts));
   log(status_name(statistics.status) + " at t = " + format_number(frame->t, 6) + " s after " +
-      std::to_string(frame->step) + " steps of " + std::to_string(parts_->particles) + " particles in " +
+      std::to_string(frame->step) + " steps of " + std::to_string(particles) + " particles in " +
       format_duration(statistics.wall_seconds) + ", state " + summary.state_hash + ", files in " +
       directory().string());
   if (!statistics.message.empty()) log(statistics.message);
-  if (statistics.status == RunStatus::stopped) log("go on with: " + parts_->options.resume_command);
+  const std::string how = how_to_go_on(statistics.status, parts_->checkpoints.newest_time());
+  if (!how.empty()) log(how + parts_->options.resume_command);
   if (statistics.status == RunStatus::done && !summary.results.empty())
     log("\n" + results_table(summary.results, summary.expectations));
 }

@@ -8,6 +8,8 @@
 
 #include <sys/resource.h>
 
+#include <array>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -61,12 +63,25 @@ double peak_memory() {
 
 }  // namespace
 
+std::string date_and_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text;
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
 std::string status_name(RunStatus status) {
   switch (status) {
+    case RunStatus::running:
+      return "running";
     case RunStatus::done:
       return "done";
     case RunStatus::stopped:
       return "stopped";
+    case RunStatus::blocked:
+      return "blocked";
     case RunStatus::failed:
       return "failed";
   }
@@ -78,6 +93,10 @@ std::string summary_json(const Scene& scene, const RunIdentity& run, const RunSt
   const double particle_steps = static_cast<double>(statistics.steps) * static_cast<double>(run.particles);
   return json_object({{"status", json_text(status_name(statistics.status))},
                       {"message", json_text(statistics.message)},
+                      {"started", json_text(run.started)},
+                      {"ended", json_text(run.ended)},
+                      {"host", json_text(run.host)},
+                      {"command", json_text(run.command)},
                       {"version", json_text(GEODROP_VERSION)},
                       {"scene", json_text(scene.file)},
                       {"title", json_text(scene.title)},

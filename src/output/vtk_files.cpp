@@ -27,7 +27,6 @@
 #include <cstdio>
 #include <cstring>
 #include <geodrop/error.hpp>
-#include <system_error>
 
 #include "atomic_file.hpp"
 
@@ -125,18 +124,11 @@ std::string try_to_write(vtkXMLWriter* writer, vtkDataObject* data, const std::s
   return code != vtkErrorCode::NoError || !reported.empty() ? describe(code, reported) : std::string();
 }
 
-/// Under another name until it is whole, so that no reader meets half a frame.
 void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::path& path, Compression compression) {
-  const std::filesystem::path temporary = path.string() + ".part";
-  std::string failure = try_to_write(writer, data, temporary, compression);
-  std::error_code error;
-  if (failure.empty()) {
-    std::filesystem::rename(temporary, path, error);
-    if (error) failure = error.message();
-  }
-  if (failure.empty()) return;
-  std::filesystem::remove(temporary, error);
-  throw RunError("cannot write " + path.string() + ": " + failure);
+  AtomicFile file(path);
+  const std::string failure = try_to_write(writer, data, file.name_for_others(), compression);
+  if (!failure.empty()) throw WriteError("cannot write " + path.string() + ": " + failure);
+  file.commit();
 }
 
 void write_lines(vtkPolyData* lines, double t, const std::filesystem::path& path, Compression compression) {

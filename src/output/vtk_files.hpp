@@ -14,7 +14,7 @@ enum class Compression { none, zlib };
 /// "particles_000012.vtu"
 std::string frame_file_name(const std::string& kind, std::size_t index, const std::string& extension);
 
-/// Every particle a vertex cell. Throws RunError, as all functions here, if the disk does not take it.
+/// Every particle a vertex cell. Throws WriteError, as all functions here, if the disk does not take it.
 void write_particles(const std::filesystem::path& path, const ParticleSnapshot& particles, double t,
                      Compression compression);
 /// Every segment a line cell.

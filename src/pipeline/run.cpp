@@ -19,7 +19,8 @@ void write_due_output(Output<Dim>& output, State<Dim>& state) {
   if (output.frame_due(state.t)) output.write_frame(Frame<Dim>(state));
 }
 
-/// Steps until `end` or a stop signal. On a broken run the status says failed; the state is as the break left it.
+/// Steps until `end`, a signal, or a file that the disk does not take. On a broken run the status says failed; the
+/// state is as the break left it.
 template <int Dim>
 RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids,
                          Output<Dim>& output) {
@@ -28,12 +29,13 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   const auto start = std::chrono::steady_clock::now();
   try {
     statistics.facts = state_facts(scene, state);
-    while (state.t < end && !is_over(scene, state) && !stop_requested()) {
+    while (state.t < end && !is_over(scene, state) && !stop_requested() && !output.blocked()) {
       advance(scene, pipeline, state, grids);
       write_due_output(output, state);
+      if (take_checkpoint_request() || output.checkpoint_due(state.t)) output.checkpoint(Frame<Dim>(state));
       output.progress(state.t, state.step);
     }
-    statistics.status = state.t < end && !is_over(scene, state) ? RunStatus::stopped : RunStatus::done;
+    statistics.status = is_over(scene, state) ? RunStatus::done : RunStatus::stopped;
   } catch (const RunError& error) {
     statistics.status = RunStatus::failed;
     statistics.message = error.what();
@@ -49,22 +51,25 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   // The state comes first: a scene that cannot be built must not touch an earlier run's directory.
   State<Dim> state;
   if (!options.resume) state = build_state<Dim>(scene);
+  catch_signals();
   Output<Dim> output(scene, options);
   for (const std::string& note : scene_notes(scene)) output.log("note: " + note);
   if (options.resume) state = output.resume();
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
-  catch_stop_signals();
   if (!options.resume) output.start(Frame<Dim>(state));
 
   const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
-  RunStatistics statistics = step_until(end, scene, pipeline, state, grids, output);
-  // A run that ends before its scene does, by signal or by --until, can go on later.
-  const bool unfinished = statistics.status == RunStatus::stopped ||
-                          (statistics.status == RunStatus::done && end < scene.time.end && !is_over(scene, state));
-  if (unfinished) output.checkpoint(Frame<Dim>(state));
-  const Summary summary = output.finish(Frame<Dim>(state), statistics);
-  return {statistics, summary};
+  RunOutcome outcome;
+  outcome.statistics = step_until(end, scene, pipeline, state, grids, output);
+  // A broken state is of no use: the checkpoint before it stays.
+  if (outcome.statistics.status != RunStatus::failed) output.checkpoint(Frame<Dim>(state));
+  outcome.summary = output.finish(Frame<Dim>(state), outcome.statistics);
+  if (output.blocked() && outcome.statistics.status != RunStatus::failed) {
+    outcome.statistics.status = RunStatus::blocked;
+    outcome.statistics.message = output.trouble();
+  }
+  return outcome;
 }
 
 }  // namespace
@@ -76,6 +81,7 @@ RunOutcome perform_run(const Scene& scene, const RunOptions& options) {
 int run_scene(const Scene& scene, const RunOptions& options, bool verify) {
   const RunOutcome outcome = perform_run(scene, options);
   if (outcome.statistics.status == RunStatus::stopped) return exit_stopped;
+  if (outcome.statistics.status == RunStatus::blocked) return exit_not_written;
   if (outcome.statistics.status == RunStatus::failed) return 1;
   return verify && !outcome.summary.expectations_met ? 1 : 0;
 }

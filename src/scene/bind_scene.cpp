@@ -343,6 +343,7 @@ void bind_numerics(const Fields& root, Scene& scene) {
                       relaxation.real("out_of_balance_ratio")};
   scene.time.end = root.sub("time").real("end");
   scene.output = {output.real("frame_interval"), output.real("history_interval"), output.boolean("compress")};
+  scene.checkpoints = {output.real("checkpoint_interval"), output.real("checkpoint_every")};
 }
 
 /// Binds each element of a list of tables with `bind(fields, at)`.

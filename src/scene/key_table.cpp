@@ -187,6 +187,8 @@ constexpr Key keys[] = {
     {"output", "frame_interval", real, "s", "", required, positive, "time between pictures (VTU frames)"},
     {"output", "history_interval", real, "s", "", required, positive, "time between rows of history.csv"},
     {"output", "compress", boolean, "", "", standard("false"), yes_no, "compress the VTU files"},
+    {"output", "checkpoint_interval", real, "s", "", standard("300.0"), not_negative, "wall time between checkpoints, from which a run that was killed goes on; 0: none by wall time. The last two are kept"},
+    {"output", "checkpoint_every", real, "s", "", standard("0.0"), not_negative, "simulated time between checkpoints, besides those by wall time; 0: none"},
 
     {"materials", "model", choice, "", "", required, words("newtonian|linear_elastic|mohr_coulomb|neo_hookean"), "constitutive law"},
     {"materials", "density", real, "kg/m3", "model=newtonian|linear_elastic|neo_hookean", required, positive, "of a fluid: at zero pressure; neo_hookean: unstrained"},

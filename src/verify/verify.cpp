@@ -73,11 +73,14 @@ VariantRun run_variant(const Scene& scene, const VariantSpec& variant, const Run
   RunOutcome outcome;
   try {
     outcome = perform_run(scene, options);
+  } catch (const WriteError&) {
+    throw;
   } catch (const RunError& error) {  // before the first step
     outcome.statistics.status = RunStatus::failed;
     outcome.statistics.message = error.what();
   }
   const RunStatistics& statistics = outcome.statistics;
+  if (statistics.status == RunStatus::blocked) throw WriteError(statistics.message);
   run.particles = fact_of(statistics, "particles_count");
   run.steps = static_cast<double>(statistics.steps);
   run.wall_seconds = statistics.wall_seconds;
@@ -103,6 +106,7 @@ void run_case(const fs::path& file, const VerifyOptions& options, Case& one) {
     run.directory = options.directory / file.stem() / std::to_string(++number);
     run.threads = options.threads;
     run.telling = Telling::log_only;
+    run.earlier = EarlierRun::overwrite;
     one.runs.push_back(run_variant(read_variant(file.string(), variant), variant, run));
     if (stop_requested()) return;
   }

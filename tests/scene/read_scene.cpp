@@ -68,6 +68,7 @@ TEST_CASE("numerics as written") {
   CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0});
   CHECK(scene.time.end == 2.0);
   CHECK(scene.output == OutputSpec{0.1, 0.01, true});
+  CHECK(scene.checkpoints == CheckpointSpec{60.0, 0.5});
 }
 
 TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {

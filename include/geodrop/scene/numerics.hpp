@@ -72,5 +72,11 @@ struct OutputSpec {
   bool compress = false;        ///< zlib in VTU files
   bool operator==(const OutputSpec&) const = default;
 };
+/// When a run keeps what a later one can go on from.
+struct CheckpointSpec {
+  double interval = 0;  ///< wall time between checkpoints [s]; 0: none by wall time
+  double every = 0;     ///< simulated time between checkpoints [s]; 0: none by simulated time
+  bool operator==(const CheckpointSpec&) const = default;
+};
 
 }  // namespace geodrop
