@@ -13,6 +13,7 @@
 #include "mach_numbers.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
+#include "schedule.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -30,23 +30,6 @@ namespace {
 
 constexpr const char* checkpoint_name = "checkpoint.bin";
 constexpr int time_digits = 6;
-
-/// The multiples of an interval, each of which is due once: at the first time at or after it.
-class Schedule {
- public:
-  explicit Schedule(double interval) : interval_(interval) {}
-  bool due(double t) const { return interval_ > 0 && t >= (next_ - rounding) * interval_; }
-  void pass(double t) {
-    if (interval_ <= 0) return;
-    next_ = std::max(next_, std::floor(t / interval_));
-    while (due(t)) ++next_;
-  }
-
- private:
-  static constexpr double rounding = 1e-9;  ///< 6 times 0.1 is more than 0.6
-  double interval_;
-  double next_ = 0;  ///< a whole number
-};
 
 std::string host_name() {
   std::array<char, 256> name{};
