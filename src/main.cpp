@@ -102,6 +102,7 @@ int run(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
+  geodrop::check_first_step(scene);
   std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
             << scene.membranes.size() << " membranes\n";
   return 0;

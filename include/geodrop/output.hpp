@@ -68,6 +68,7 @@ struct RunStatistics {
 struct Summary {
   std::vector<Result> results;
   std::vector<Expectation> expectations;
+  std::vector<std::string> warnings;  ///< of this process, as in the log
   std::string state_hash;
   bool expectations_met = true;
 };

@@ -25,6 +25,9 @@ int run_scene(const Scene& scene, const RunOptions& options, bool verify);
 /// The facts of the scene's first state, see state_facts.
 std::vector<Fact> scene_facts(const Scene& scene);
 
+/// Throws SceneError if a run would end at its first step: the time step collapses, or a velocity is not finite.
+void check_first_step(const Scene& scene);
+
 /// The stages that the scene needs, one line each: name and what it reads and writes.
 std::string stages_text(const Scene& scene);
 

@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "frame_writer.hpp"
 #include "geotube_probe.hpp"
+#include "limit_warnings.hpp"
 #include "mach_numbers.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
@@ -114,6 +115,10 @@ struct Output<Dim>::Parts {
     for (const std::vector<double>& row : history.rows) rows_due.pass(row.front());
     history_file.emplace(directory / "history.csv", history);
   }
+  void warn(const std::string& line) {
+    warnings.push_back(line);
+    console.print(line);
+  }
   bool has_frame(double t) const { return !frames.times().empty() && frames.times().back() == t; }
   bool has_row(double t) const { return !history.rows.empty() && history.rows.back().front() == t; }
 
@@ -129,6 +134,8 @@ struct Output<Dim>::Parts {
   std::optional<HistoryFile> history_file;
   FrameWriter frames;
   std::size_t particles = 0;
+  LimitWatch limits;
+  std::vector<std::string> warnings;  ///< so far, as printed
 };
 
 template <int Dim>
@@ -138,9 +145,8 @@ Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std:
     parts_->console.print("replaced an earlier run in " + directory().string() + " (" +
                           std::to_string(parts_->replaced) + " files)");
   if (options.end > scene.time.end)
-    parts_->console.print("warning: --until " + format_number(options.end, time_digits) +
-                          " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) +
-                          " s");
+    parts_->warn("warning: --until " + format_number(options.end, time_digits) +
+                 " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) + " s");
   if (!options.resume) write_file_atomically(directory() / "scene.toml", scene.as_run);
 }
 
@@ -185,7 +191,8 @@ void Output<Dim>::write_history(Frame<Dim> frame) {
   parts_->history.rows.push_back(history_row(parts_->scene, *frame, parts_->history));
   parts_->history_file->append(parts_->history.rows.back());
   parts_->rows_due.pass(frame->t);
-  for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) log(warning);
+  for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) parts_->warn(warning);
+  for (const std::string& warning : parts_->limits.look(parts_->scene, *frame, parts_->history)) parts_->warn(warning);
 }
 
 template <int Dim>
@@ -228,6 +235,7 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop)
   for (const Fact& fact : mach_numbers(parts.scene, parts.history)) statistics.facts.push_back(fact);
 
   Summary summary;
+  summary.warnings = parts.warnings;
   summary.state_hash = state_hash(*frame);
   summary.results = reduce_all(parts.scene, parts.history);
   summary.expectations = compare(parts.scene, summary.results);

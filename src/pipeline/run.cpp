@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
+#include <utility>
+
+#include "../setup/memory_estimate.hpp"
 
 namespace geodrop {
 namespace {
@@ -69,7 +73,12 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
 }  // namespace
 
 RunOutcome perform_run(const Scene& scene, const RunOptions& options) {
-  return scene.dimension == 2 ? run_in<2>(scene, options) : run_in<3>(scene, options);
+  require_memory(scene);
+  try {
+    return scene.dimension == 2 ? run_in<2>(scene, options) : run_in<3>(scene, options);
+  } catch (const std::bad_alloc&) {
+    throw RunError("not enough memory: the scene takes " + describe(estimate_memory(scene)));
+  }
 }
 
 int run_scene(const Scene& scene, const RunOptions& options, bool verify) {
