@@ -11,6 +11,7 @@
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
 #include "command_line/verify.hpp"
+#include "output/build_identity.hpp"
 #include "output/shell_command.hpp"
 
 #include <omp.h>
@@ -113,15 +114,10 @@ int stages(const Arguments& arguments) {
   return 0;
 }
 
-/// The clone of the kernels that this machine chose, see kernels/chunk.hpp.
-const char* kernel_instruction_set() {
-  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
-  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
-}
-
 int info(const Arguments& arguments) {
-  std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs()
-            << " cores, kernels for " << kernel_instruction_set() << '\n';
+  const geodrop::BuildIdentity build = geodrop::this_build();
+  std::cout << "geodrop " << build.version << ", " << build.compiler << ", " << omp_get_num_procs()
+            << " cores, kernels for " << build.processor << '\n';
   if (arguments.scene.empty()) return 0;
   for (const geodrop::Fact& fact : geodrop::scene_facts(geodrop::read_scene(arguments.scene, arguments.overrides)))
     std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);

@@ -87,6 +87,8 @@ class Output {
   ~Output();
 
   const std::filesystem::path& directory() const;
+  /// State of the checkpoint that the run goes on from, before resume() hands it over.
+  const State<Dim>& resumed_state() const;
   /// State of the checkpoint; the record of frames and rows is cut back to it.
   State<Dim> resume();
   /// Writes frame 0 and row 0.

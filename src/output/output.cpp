@@ -159,6 +159,11 @@ const std::filesystem::path& Output<Dim>::directory() const {
 }
 
 template <int Dim>
+const State<Dim>& Output<Dim>::resumed_state() const {
+  return parts_->resumed.value().state;
+}
+
+template <int Dim>
 State<Dim> Output<Dim>::resume() {
   Parts& parts = *parts_;
   Checkpoint<Dim> checkpoint = std::move(parts.resumed.value());
@@ -166,6 +171,7 @@ State<Dim> Output<Dim>::resume() {
   parts.history.rows = std::move(checkpoint.output.rows);
   parts.begin(checkpoint.state);
   log("resumed at t = " + format_number(checkpoint.state.t) + " s, step " + std::to_string(checkpoint.state.step));
+  if (!checkpoint.warning.empty()) parts.warn(checkpoint.warning);
   return std::move(checkpoint.state);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "../setup/memory_estimate.hpp"
+#include "check_resumable.hpp"
 
 namespace geodrop {
 namespace {
@@ -49,12 +50,23 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
 }
 
 template <int Dim>
+void check_resumable(const Scene& scene, State<Dim> built, const Output<Dim>& output) {
+  const std::string fault = fault_in_state(scene, std::move(built), output.resumed_state());
+  if (fault.empty()) return;
+  throw SceneError(output.directory().string(),
+                   {{{}, "--resume", "a checkpoint with " + fault, "a state of this scene", ProblemSource::elsewhere}});
+}
+
+template <int Dim>
 RunOutcome run_in(const Scene& scene, const RunOptions& options) {
-  // The state comes first: a scene that cannot be built must not touch an earlier run's directory.
-  State<Dim> state;
-  if (!options.resume) state = build_state<Dim>(scene);
+  // The state comes first: a scene that cannot be built must not touch an earlier run's directory. What a run goes on
+  // from is judged by it.
+  State<Dim> state = build_state<Dim>(scene);
   Output<Dim> output(scene, options);
-  if (options.resume) state = output.resume();
+  if (options.resume) {
+    check_resumable(scene, std::move(state), output);
+    state = output.resume();
+  }
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   catch_stop_signals();
