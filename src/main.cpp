@@ -12,6 +12,7 @@
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
 #include "command_line/verify.hpp"
+#include "output/build_identity.hpp"
 #include "output/shell_command.hpp"
 
 #include <omp.h>
@@ -119,6 +120,7 @@ void print_notes(const geodrop::Scene& scene) {
 int check(const Arguments& arguments) {
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
   geodrop::check_results(scene);
+  geodrop::check_first_step(scene);
   std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
             << scene.membranes.size() << " membranes\n";
   print_notes(scene);
@@ -130,15 +132,10 @@ int stages(const Arguments& arguments) {
   return 0;
 }
 
-/// The clone of the kernels that this machine chose, see kernels/chunk.hpp.
-const char* kernel_instruction_set() {
-  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
-  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
-}
-
 int info(const Arguments& arguments) {
-  std::cout << "geodrop " << GEODROP_VERSION << ", g++ " << __VERSION__ << ", " << omp_get_num_procs()
-            << " cores, kernels for " << kernel_instruction_set() << '\n';
+  const geodrop::BuildIdentity build = geodrop::this_build();
+  std::cout << "geodrop " << build.version << ", " << build.compiler << ", " << omp_get_num_procs()
+            << " cores, kernels for " << build.processor << '\n';
   if (arguments.scene.empty()) return 0;
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
   for (const geodrop::Fact& fact : geodrop::scene_facts(scene))

@@ -21,10 +21,8 @@ template <int Dim>
 struct Checkpoint {
   State<Dim> state;
   OutputRecord output;
+  std::string warning;  ///< why a resumed run may differ in its last bits, one line; empty: it does not
 };
-
-/// XXH3 of the scene as run; a checkpoint belongs to exactly one.
-std::uint64_t scene_hash(const Scene& scene);
 
 /// XXH3 over every value of the state in storage order, as 16 hex digits. Comparable on one machine and one binary
 /// path only: fused multiply-add differs between instruction sets.
@@ -36,8 +34,10 @@ template <int Dim>
 void write_checkpoint(const std::filesystem::path& path, const Scene& scene, const State<Dim>& state,
                       const OutputRecord& output);
 
-/// Throws SceneError (exit code 2) that says why `path` cannot continue this scene: missing, not a checkpoint, other
-/// version, other scene, truncated, damaged.
+/// Safe whatever the file holds. Throws SceneError (exit code 2) that says why `path` cannot continue this scene:
+/// missing, no regular file, not a checkpoint, other format, other scene (with the first key that differs), truncated,
+/// damaged. When the scene ends, what it writes and what it is judged by may differ. What the state holds is judged by
+/// check_resumable.
 template <int Dim>
 Checkpoint<Dim> read_checkpoint(const std::filesystem::path& path, const Scene& scene);
 

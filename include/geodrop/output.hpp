@@ -81,6 +81,7 @@ struct RunStatistics {
 struct Summary {
   std::vector<Result> results;
   std::vector<Expectation> expectations;  ///< of a run that is done; others are not judged
+  std::vector<std::string> warnings;      ///< of this process, as in the log
   std::string state_hash;
   bool expectations_met = true;
 };
@@ -99,6 +100,8 @@ class Output {
   ~Output();
 
   const std::filesystem::path& directory() const;
+  /// State of the checkpoint that the run goes on from, before resume() hands it over.
+  const State<Dim>& resumed_state() const;
   /// State of the newest good checkpoint; frames, their collections and rows are cut back to it.
   State<Dim> resume();
   /// Writes frame 0 and row 0.

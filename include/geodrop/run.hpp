@@ -30,6 +30,9 @@ std::vector<Fact> scene_facts(const Scene& scene);
 /// and `info` and logged by a run.
 std::vector<std::string> scene_notes(const Scene& scene);
 
+/// Throws SceneError if a run would end at its first step: the time step collapses, or a velocity is not finite.
+void check_first_step(const Scene& scene);
+
 /// The stages that the scene needs, one line each: name and what it reads and writes.
 std::string stages_text(const Scene& scene);
 

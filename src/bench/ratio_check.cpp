@@ -1,9 +1,9 @@
 #include "ratio_check.hpp"
 
 #include <geodrop/error.hpp>
+#include <geodrop/input_file.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -42,9 +42,9 @@ RatioVerdict judge_ratio(double committed, double loss, const std::function<doub
 
 std::vector<CommittedRatio> read_ratios(const std::filesystem::path& path) {
   const std::string file = path.string();
-  std::ifstream in(path);
+  std::istringstream in(read_input(path, "--check", "a table of ratios"));
   std::string line;
-  if (!std::getline(in, line)) refuse(file, 0, "no such file, or an empty one", "a table of ratios");
+  if (!std::getline(in, line)) refuse(file, 0, "an empty file", "a table of ratios");
   const std::vector<std::string> head = split(line);
   const std::size_t name = column(head, "name", file), processor = column(head, "processor", file);
   const std::size_t particles = column(head, "particles", file), threads = column(head, "threads", file);

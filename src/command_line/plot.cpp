@@ -4,8 +4,10 @@
 
 #include "plot/chart.hpp"
 #include "plot/csv_table.hpp"
+#include "scene/check_value.hpp"
 
 #include <geodrop/error.hpp>
+#include <geodrop/input_file.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -200,13 +202,15 @@ int run_plot(const PlotArguments& arguments) {
   const auto refuse = [&](const std::string& found) {
     throw SceneError(history.string(), {{{}, "", found, "the history of a run", ProblemSource::elsewhere}});
   };
-  if (!std::filesystem::is_regular_file(history)) refuse("no such file");
+  if (const std::string fault = open_input(history).fault; !fault.empty()) refuse(fault);
   const CsvTable table = read_csv(history);
   if (table.rows() == 0) refuse("no row of numbers");
   const Chart chart = history_chart(table, directory.string());
   const std::vector<std::string> rigids = most_turned(table);
   const std::vector<std::string> probes = rigids.empty() ? std::vector<std::string>{} : section_probes(table);
   if (chart.panels.empty() && probes.empty()) refuse("no column that is drawn");
+  for (const std::string& probe : probes)  // a part of the name of a file
+    if (!is_identifier(probe)) refuse("a probe named \"" + probe + '"');
   const auto draw = [&](const Chart& one, const std::string& stem) {
     const std::filesystem::path picture = directory / (stem + "." + arguments.format);
     write_chart(one, picture);

@@ -1,14 +1,17 @@
 // One list of all members of a state, walked by the checkpoint's writer, its reader and the hash.
 //
-// Members are named by structured bindings: a member that is added to the state and not here does not compile.
+// Members are named by structured bindings: a member that is added to the state and not here does not compile. What
+// numbers or counts something is judged in pipeline/check_resumable as well.
 //
-// An archive has `bytes(pointer, count)` for plain data, and `length(n)`, which is told the present length of a list
-// and answers the length that the list shall have.
+// An archive has `bytes(pointer, count)` for plain data, and `length(n, bytes)`, which is told the present length of a
+// list and the least that each item takes, and answers the length that the list shall have. One that reads also has
+// `refuse(text)`, which throws.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <geodrop/state.hpp>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <variant>
@@ -126,24 +129,45 @@ template <class Archive>
 void walk_material(Archive& archive, Material& material) {
   std::uint32_t index = 0;
   archive.bytes(&index, 1);
-  if (index == 0) material = Newtonian{};
-  if (index == 1) material = LinearElastic{};
-  if (index == 2) material = MohrCoulomb{};
-  if (index == 3) material = NeoHookean{};
-  if (index == 4) material = MohrCoulombWithVoids{};
+  switch (index) {
+    case 0:
+      material = Newtonian{};
+      break;
+    case 1:
+      material = LinearElastic{};
+      break;
+    case 2:
+      material = MohrCoulomb{};
+      break;
+    case 3:
+      material = NeoHookean{};
+      break;
+    case 4:
+      material = MohrCoulombWithVoids{};
+      break;
+    default:
+      archive.refuse("a material of law number " + std::to_string(index));
+  }
   static_assert(std::variant_size_v<Material> == 5, "name the new law here");
   std::visit([&](auto& law) { archive.bytes(reinterpret_cast<double*>(&law), sizeof(law) / sizeof(double)); },
              material);
 }
 
+/// Items that are lists themselves are read one after the other: a length that a damaged file claims then takes no more
+/// memory than the file has items.
 template <class Archive, class T>
 void walk_list(Archive& archive, T& list) {
-  const std::size_t length = archive.length(list.size());
-  if constexpr (!std::is_const_v<T>) list.resize(length);
-  if constexpr (is_plain<typename T::value_type>) {
+  using Item = typename T::value_type;
+  constexpr std::size_t least_bytes = is_plain<Item> ? sizeof(Item) : sizeof(std::size_t);
+  const std::size_t length = archive.length(list.size(), least_bytes);
+  if constexpr (is_plain<Item>) {
+    if constexpr (!std::is_const_v<T>) list.resize(length);
     archive.bytes(list.data(), length);
-  } else {
+  } else if constexpr (std::is_const_v<T>) {
     for (auto& item : list) walk(archive, item);
+  } else {
+    list.clear();
+    for (std::size_t i = 0; i < length; ++i) walk(archive, list.emplace_back());
   }
 }
 

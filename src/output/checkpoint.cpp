@@ -1,22 +1,30 @@
-// The file: magic, format version, dimension, scene hash, state, output record, checksum of all before it.
+// The file: magic, format version, dimension, build, what of the scene lasts, state, output record, checksum of all
+// before it.
+//
+// The checksum tells accidents. What passes it may still be of a buggy or hostile writer, so every length is compared
+// with the bytes that are left, and every short read is refused.
 #include <xxhash.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
-#include <fstream>
 #include <geodrop/checkpoint.hpp>
 #include <geodrop/error.hpp>
+#include <geodrop/input_file.hpp>
 #include <memory>
 #include <utility>
 
 #include "archive.hpp"
 #include "atomic_file.hpp"
+#include "build_identity.hpp"
+#include "lasting_text.hpp"
 
 namespace geodrop {
 namespace {
 
 constexpr std::array<char, 8> magic = {'g', 'e', 'o', 'd', 'r', 'o', 'p', 'C'};
 /// To be raised when the layout of the file changes, i.e. with every change to archive.hpp.
-constexpr std::uint32_t format_version = 9;
+constexpr std::uint32_t format_version = 10;
 
 class Hash {
  public:
@@ -25,7 +33,7 @@ class Hash {
   void bytes(const T* first, std::size_t count) {
     if (count > 0) XXH3_64bits_update(state_.get(), first, count * sizeof(T));
   }
-  std::size_t length(std::size_t present) {
+  std::size_t length(std::size_t present, std::size_t) {
     bytes(&present, 1);
     return present;
   }
@@ -46,7 +54,7 @@ class Writer {
     file_.write(first, count * sizeof(T));
     hash_.bytes(first, count);
   }
-  std::size_t length(std::size_t present) {
+  std::size_t length(std::size_t present, std::size_t) {
     bytes(&present, 1);
     return present;
   }
@@ -57,22 +65,42 @@ class Writer {
   Hash hash_;
 };
 
-/// Reads a file whose checksum is known to be right, so it cannot end early.
+/// Why the content of a file is no checkpoint of this format.
+struct Damage {
+  std::string found;
+};
+
 class Reader {
  public:
-  explicit Reader(std::ifstream& file) : file_(file) {}
+  /// The next `bytes` of a file.
+  Reader(std::FILE* file, std::uint64_t bytes) : file_(file), left_(bytes) {}
   template <class T>
   void bytes(T* first, std::size_t count) {
-    file_.read(reinterpret_cast<char*>(first), static_cast<std::streamsize>(count * sizeof(T)));
+    if (count > left_ / sizeof(T)) refuse("a list that is longer than the file");
+    if (std::fread(static_cast<void*>(first), sizeof(T), count, file_) != count)
+      refuse("a file that ends early or cannot be read");
+    left_ -= count * sizeof(T);
   }
-  std::size_t length(std::size_t) {
-    std::size_t stored = 0;
+  void bytes(bool* first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint8_t value = 0;
+      bytes(&value, 1);
+      if (value > 1) refuse("a yes or no of value " + std::to_string(value));
+      first[i] = value == 1;
+    }
+  }
+  std::size_t length(std::size_t, std::size_t bytes_each) {
+    std::uint64_t stored = 0;
     bytes(&stored, 1);
+    if (stored > left_ / bytes_each) refuse("a list of " + std::to_string(stored) + ", longer than the file");
     return stored;
   }
+  std::uint64_t left() const { return left_; }
+  [[noreturn]] void refuse(const std::string& found) const { throw Damage{found}; }
 
  private:
-  std::ifstream& file_;
+  std::FILE* file_;
+  std::uint64_t left_;
 };
 
 template <class Archive, class Record>
@@ -85,57 +113,101 @@ void walk_record(Archive& archive, Record& record) {
   throw SceneError(path.string(), {{{}, "--resume", found, allowed, ProblemSource::elsewhere}});
 }
 
-/// Hash of the first `length` bytes of a file.
-std::uint64_t hash_file(std::ifstream& file, std::uint64_t length) {
+/// Hash of the next `length` bytes of a file.
+std::uint64_t hash_file(Reader& reader, std::uint64_t length) {
   Hash hash;
   std::vector<char> block(std::size_t{1} << 20);
   while (length > 0) {
     const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(length, block.size()));
-    file.read(block.data(), static_cast<std::streamsize>(count));
+    reader.bytes(block.data(), count);
     hash.bytes(block.data(), count);
     length -= count;
   }
   return hash.digest();
 }
 
+/// What stands before the state. The first two members are at the same place in all formats.
 struct Header {
   std::array<char, 8> magic{};
   std::uint32_t version = 0, dimension = 0;
-  std::uint64_t scene = 0;
+  BuildIdentity build;
+  std::string scene;  ///< lasting_text
 };
+
 template <class Archive, class H>
-void walk_header(Archive& archive, H& header) {
+void walk_kind(Archive& archive, H& header) {
   archive.bytes(header.magic.data(), header.magic.size());
   archive.bytes(&header.version, 1);
+}
+template <class Archive, class H>
+void walk_rest(Archive& archive, H& header) {
   archive.bytes(&header.dimension, 1);
-  archive.bytes(&header.scene, 1);
+  walk(archive, header.build.version);
+  walk(archive, header.build.compiler);
+  walk(archive, header.build.processor);
+  walk(archive, header.scene);
 }
 
-/// Leaves the file at the start of the state. The order of checks gives the reason that helps most.
-void check_file(std::ifstream& file, const std::filesystem::path& path, const Scene& scene, std::uint32_t dimension) {
-  if (!file) refuse(path, "no such file", "the directory of a run that was stopped with a checkpoint");
-  Reader reader(file);
+constexpr std::uint64_t checksum_bytes = sizeof(std::uint64_t);
+
+/// The order of checks gives the reason that helps most.
+void check_file(const InputFile& input, const std::filesystem::path& path) {
+  if (!input.file) refuse(path, input.fault, "the directory of a run that was stopped with a checkpoint");
   Header header;
-  walk_header(reader, header);
-  if (!file || header.magic != magic) refuse(path, "not a checkpoint", "a checkpoint.bin written by geodrop");
+  const std::string whole = "a whole checkpoint";
+  try {
+    Reader reader(input.file.get(), input.size);
+    walk_kind(reader, header);
+  } catch (const Damage&) {
+    header.magic = {};
+  }
+  if (header.magic != magic) refuse(path, "not a checkpoint", "a checkpoint.bin written by geodrop");
   if (header.version != format_version)
     refuse(path, "checkpoint format " + std::to_string(header.version),
            "format " + std::to_string(format_version) + ": resume with the geodrop that wrote it");
-  const std::uint64_t length = std::filesystem::file_size(path);
-  file.seekg(0);
-  const std::uint64_t computed = hash_file(file, length - sizeof(std::uint64_t));
-  std::uint64_t stored = 0;
-  reader.bytes(&stored, 1);
-  if (stored != computed) refuse(path, "a truncated or damaged checkpoint (checksum differs)", "a whole checkpoint");
-  if (header.scene != scene_hash(scene) || header.dimension != dimension)
-    refuse(path, "a checkpoint of another scene", "the scene, with the same --set, that the run was started with");
-  file.seekg(0);
-  walk_header(reader, header);
+  std::uint64_t stored = 0, computed = 1;
+  try {
+    std::rewind(input.file.get());
+    Reader reader(input.file.get(), input.size);
+    computed = hash_file(reader, input.size - checksum_bytes);
+    reader.bytes(&stored, 1);
+  } catch (const Damage& damage) {
+    refuse(path, damage.found, whole);
+  }
+  if (stored != computed) refuse(path, "a truncated or damaged checkpoint (checksum differs)", whole);
+  std::rewind(input.file.get());
+}
+
+/// What it is a checkpoint of.
+void check_header(const Header& header, const std::filesystem::path& path, const Scene& scene,
+                  std::uint32_t dimension) {
+  const std::string same =
+      "the scene, with the same --set, that the run was started with (time.end, title, output, "
+      "results, expect, verify and variants may differ)";
+  const std::string lasting = lasting_text(scene.as_run);
+  if (header.scene != lasting)
+    refuse(path, "a checkpoint of another scene: " + first_difference(header.scene, lasting), same);
+  if (header.dimension != dimension) refuse(path, "a checkpoint of another scene: another dimension", same);
+}
+
+/// A resumed run goes on with these lists.
+void check_record(const OutputRecord& record, double t, std::size_t columns) {
+  for (const std::vector<double>& row : record.rows)
+    if (row.size() != columns || !(row.front() <= t))
+      throw Damage{"a row of the history that this scene does not write"};
+  for (std::size_t i = 0; i < record.frame_times.size(); ++i)
+    if (!(record.frame_times[i] <= t) || (i > 0 && !(record.frame_times[i] > record.frame_times[i - 1])))
+      throw Damage{"frames that are out of order"};
+}
+
+std::string warning_of(const BuildIdentity& build) {
+  const std::string different = differences(build, this_build());
+  return different.empty() ? ""
+                           : "warning: the checkpoint was written by another build or on another processor (" +
+                                 different + "): the last bits of what follows may differ from an uninterrupted run";
 }
 
 }  // namespace
-
-std::uint64_t scene_hash(const Scene& scene) { return XXH3_64bits(scene.as_run.data(), scene.as_run.size()); }
 
 template <int Dim>
 std::string state_hash(const State<Dim>& state) {
@@ -151,8 +223,9 @@ void write_checkpoint(const std::filesystem::path& path, const Scene& scene, con
                       const OutputRecord& output) {
   AtomicFile file(path);
   Writer writer(file);
-  const Header header{magic, format_version, Dim, scene_hash(scene)};
-  walk_header(writer, header);
+  const Header header{magic, format_version, Dim, this_build(), lasting_text(scene.as_run)};
+  walk_kind(writer, header);
+  walk_rest(writer, header);
   walk(writer, state);
   walk_record(writer, output);
   const std::uint64_t checksum = writer.checksum();
@@ -162,13 +235,24 @@ void write_checkpoint(const std::filesystem::path& path, const Scene& scene, con
 
 template <int Dim>
 Checkpoint<Dim> read_checkpoint(const std::filesystem::path& path, const Scene& scene) {
-  std::ifstream file(path, std::ios::binary);
-  check_file(file, path, scene, Dim);
-  Reader reader(file);
-  Checkpoint<Dim> checkpoint;
-  walk(reader, checkpoint.state);
-  walk_record(reader, checkpoint.output);
-  return checkpoint;
+  const InputFile input = open_input(path);
+  check_file(input, path);
+  try {
+    Reader reader(input.file.get(), input.size - checksum_bytes);
+    Header header;
+    walk_kind(reader, header);
+    walk_rest(reader, header);
+    check_header(header, path, scene, Dim);
+    Checkpoint<Dim> checkpoint;
+    walk(reader, checkpoint.state);
+    walk_record(reader, checkpoint.output);
+    if (reader.left() > 0) reader.refuse(std::to_string(reader.left()) + " bytes more than a checkpoint has");
+    check_record(checkpoint.output, checkpoint.state.t, history_columns(scene).size());
+    checkpoint.warning = warning_of(header.build);
+    return checkpoint;
+  } catch (const Damage& damage) {
+    refuse(path, "a damaged checkpoint: " + damage.found, "a checkpoint.bin written by geodrop");
+  }
 }
 
 template std::string state_hash(const State<2>&);

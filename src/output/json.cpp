@@ -26,11 +26,33 @@ std::string lines(const std::vector<std::string>& items, char open, char close) 
   return text + close;
 }
 
+/// Bytes of the UTF-8 letter at `at`; 0 if there is none (RFC 3629: no overlong forms, no surrogates, none beyond
+/// U+10FFFF). Names of files may hold any bytes.
+std::size_t letter_bytes(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t k) { return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  const std::size_t count = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  for (std::size_t k = 1; k < count; ++k)
+    if ((byte(k) & 0xC0) != 0x80) return 0;
+  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool beyond = (first == 0xED && second > 0x9F) || (first == 0xF4 && second > 0x8F);
+  return overlong || beyond ? 0 : count;
+}
+
 }  // namespace
 
 std::string json_text(const std::string& text) {
   std::string json = "\"";
-  for (const char c : text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::size_t bytes = letter_bytes(text, at);
+    if (bytes != 1) {
+      json += bytes == 0 ? "\\ufffd" : text.substr(at, bytes);
+      at += bytes == 0 ? 0 : bytes - 1;
+      continue;
+    }
+    const char c = text[at];
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
       json += '\\';

@@ -7,7 +7,7 @@
 
 namespace geodrop {
 
-/// In quotes, escaped.
+/// In quotes, escaped; what is no UTF-8 as U+FFFD.
 std::string json_text(const std::string& text);
 /// Twelve digits; null where it is not finite, since JSON has no word for that.
 std::string json_number(double value);

@@ -7,6 +7,7 @@
 #include "frame_writer.hpp"
 #include "geotube_probe.hpp"
 #include "history_file.hpp"
+#include "limit_warnings.hpp"
 #include "mach_numbers.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
@@ -91,6 +92,10 @@ struct Output<Dim>::Parts {
       if (refused.empty()) refused = error.what();
     }
   }
+  void warn(const std::string& line) {
+    warnings.push_back(line);
+    console.print(line);
+  }
   bool has_frame(double t) const { return !frames.times().empty() && frames.times().back() == t; }
   bool has_row(double t) const { return !history.rows.empty() && history.rows.back().front() == t; }
 
@@ -108,6 +113,8 @@ struct Output<Dim>::Parts {
   std::optional<HistoryFile> history_file;
   FrameWriter frames;
   CheckpointFiles checkpoints;
+  LimitWatch limits;
+  std::vector<std::string> warnings;  ///< so far, as printed
   std::string refused;
 };
 
@@ -116,8 +123,8 @@ Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std:
   log(describe_run(scene, options));
   if (!parts_->place.notice.empty()) log(parts_->place.notice);
   if (options.end > scene.time.end)
-    log("warning: --until " + format_number(options.end, time_digits) +
-        " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) + " s");
+    parts_->warn("warning: --until " + format_number(options.end, time_digits) +
+                 " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) + " s");
   write_file_atomically(directory() / "scene.toml", scene.as_run);
 }
 
@@ -130,10 +137,16 @@ const std::filesystem::path& Output<Dim>::directory() const {
 }
 
 template <int Dim>
+const State<Dim>& Output<Dim>::resumed_state() const {
+  return parts_->resumed.value().checkpoint.state;
+}
+
+template <int Dim>
 State<Dim> Output<Dim>::resume() {
   Parts& parts = *parts_;
   FoundCheckpoint<Dim> found = std::move(parts.resumed.value());
-  if (!found.warning.empty()) log(found.warning);
+  if (!found.warning.empty()) parts.warn(found.warning);
+  if (!found.checkpoint.warning.empty()) parts.warn(found.checkpoint.warning);
   State<Dim>& state = found.checkpoint.state;
   parts.checkpoints.begin_with(found.name, state.t);
   cut_back_frames(directory(), parts.frames.times());
@@ -176,7 +189,8 @@ void Output<Dim>::write_history(Frame<Dim> frame) {
   parts_->history.rows.push_back(history_row(parts_->scene, *frame, parts_->history));
   parts_->history_file->append(parts_->history.rows.back());
   parts_->rows_due.pass(frame->t);
-  for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) log(warning);
+  for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) parts_->warn(warning);
+  for (const std::string& warning : parts_->limits.look(parts_->scene, *frame, parts_->history)) parts_->warn(warning);
 }
 
 template <int Dim>
@@ -247,6 +261,7 @@ Summary Output<Dim>::finish(Frame<Dim> frame, const RunStatistics& of_step_loop)
   }
 
   Summary summary;
+  summary.warnings = parts.warnings;
   summary.state_hash = state_hash(*frame);
   summary.results = reduce_all(parts.scene, parts.history);
   if (statistics.status == RunStatus::done) {

@@ -11,10 +11,11 @@ class Schedule {
  public:
   explicit Schedule(double interval) : interval_(interval) {}
   bool due(double t) const { return interval_ > 0 && t >= (next_ - rounding) * interval_; }
+  /// No loop, which would not end where t / interval is so large that adding 1 changes nothing.
   void pass(double t) {
     if (interval_ <= 0) return;
-    next_ = std::max(next_, std::floor(t / interval_));
-    while (due(t)) ++next_;
+    next_ = std::max(next_, std::floor(t / interval_ + rounding) + 1);
+    if (due(t)) ++next_;  // by the last bit of the quotient
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <geodrop/measure.hpp>
 #include <limits>
 
@@ -28,7 +29,7 @@ void copy_particle(const Body<Dim>& body, std::size_t p, std::size_t to, Particl
   const auto values = [&](std::size_t field) { return &out.fields[field].values[to * out.fields[field].width()]; };
   const std::uint32_t id = body.id[p];
   for (int a = 0; a < Dim; ++a) {
-    out.points[3 * to + a] = narrow(body.x[a][p]);
+    out.points[3 * to + a] = body.x[a][p];
     values(0)[a] = narrow(body.v[a][p]);
     values(1)[a] = narrow(body.x[a][p] - body.initial_x[a][id]);
   }
@@ -78,8 +79,8 @@ ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::
 #pragma omp parallel for schedule(static)
     for (std::size_t p = 0; p < body.size(); ++p) {
       copy_particle(body, p, first + p, out);
-      out.material[first + p] = static_cast<std::uint8_t>(material);
-      out.body[first + p] = static_cast<std::uint8_t>(b);
+      out.material[first + p] = static_cast<std::uint32_t>(material);
+      out.body[first + p] = static_cast<std::uint32_t>(b);
     }
     first += body.size();
   }
@@ -87,11 +88,11 @@ ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::
 }
 
 template <int Dim>
-void append_membrane(const Membrane<Dim>& membrane, std::uint8_t index, MembraneSnapshot& out) {
+void append_membrane(const Membrane<Dim>& membrane, std::uint32_t index, MembraneSnapshot& out) {
   const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
   const auto nodes = static_cast<std::uint32_t>(membrane.nodes());
   for (std::uint32_t i = 0; i < nodes; ++i)
-    for (int a = 0; a < 3; ++a) out.points.push_back(a < Dim ? narrow(membrane.x[a][i]) : 0.0F);
+    for (int a = 0; a < 3; ++a) out.points.push_back(a < Dim ? membrane.x[a][i] : 0.0);
   for (std::uint32_t s = 0; s < membrane.segments(); ++s) {
     out.connectivity.push_back(first + s);
     out.connectivity.push_back(first + (s + 1) % nodes);
@@ -103,14 +104,14 @@ void append_membrane(const Membrane<Dim>& membrane, std::uint8_t index, Membrane
   }
 }
 
-void append_rigid(const RigidBody<2>& body, std::uint8_t index, RigidSnapshot& out) {
+void append_rigid(const RigidBody<2>& body, std::uint32_t index, RigidSnapshot& out) {
   const RigidSurface surface(body);
   const std::vector<Vec<2>> corners = outline(body);
   const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
   const auto count = static_cast<std::uint32_t>(corners.size());
   for (const Vec<2>& x : corners) {
     const Vec<2> v = surface.velocity(x);
-    out.points.insert(out.points.end(), {narrow(x[0]), narrow(x[1]), 0.0F});
+    out.points.insert(out.points.end(), {x[0], x[1], 0.0});
     auto& velocity = out.fields[0].values;
     velocity.insert(velocity.end(), {narrow(v[0]), narrow(v[1]), 0.0F});
   }
@@ -119,6 +120,20 @@ void append_rigid(const RigidBody<2>& body, std::uint8_t index, RigidSnapshot& o
     out.connectivity.push_back(first + (line + 1) % count);
     out.rigid.push_back(index);
   }
+}
+
+/// By the size of a particle, which is that of its volume.
+template <int Dim>
+Precision precision_for(const State<Dim>& state) {
+  constexpr double farthest = 1e5;  // particles
+  double volume = 0, largest = 0, count = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    for (std::size_t p = 0; p < body.size(); ++p) volume += body.volume(p);
+    for (const auto& component : body.x)
+      for (const double x : component) largest = std::max(largest, std::abs(x));
+    count += static_cast<double>(body.size());
+  }
+  return largest > farthest * std::pow(volume / count, 1.0 / Dim) ? Precision::twice : Precision::single;
 }
 
 }  // namespace
@@ -131,12 +146,13 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
   for (std::size_t m = 0; m < state.membranes.size(); ++m)
     if (state.membranes[m].field != waiting)
-      append_membrane(state.membranes[m], static_cast<std::uint8_t>(m), snapshot.membranes);
+      append_membrane(state.membranes[m], static_cast<std::uint32_t>(m), snapshot.membranes);
   snapshot.has_rigid = !state.rigid.empty();
   snapshot.rigid.fields = {{"velocity", vector_components, {}}};
   if constexpr (Dim == 2)
     for (std::size_t r = 0; r < state.rigid.size(); ++r)
-      if (state.rigid[r].present) append_rigid(state.rigid[r], static_cast<std::uint8_t>(r), snapshot.rigid);
+      if (state.rigid[r].present) append_rigid(state.rigid[r], static_cast<std::uint32_t>(r), snapshot.rigid);
+  snapshot.particles.precision = snapshot.membranes.precision = snapshot.rigid.precision = precision_for(state);
   return snapshot;
 }
 

@@ -17,30 +17,37 @@ struct Field {
   std::size_t width() const { return components.empty() ? 1 : components.size(); }
 };
 
+/// How positions are written: single ones are right to 6e-8 of the largest coordinate, which is too coarse where that
+/// is 1e5 particles from the origin, as in national coordinates.
+enum class Precision { single, twice };
+
 /// Particles of all bodies, body by body, each body in the order of its storage.
 struct ParticleSnapshot {
-  std::vector<float> points;  ///< three per particle [m]
+  std::vector<double> points;  ///< three per particle [m]
+  Precision precision = Precision::single;
   std::vector<Field> fields;
-  std::vector<std::uint8_t> layer;     ///< horizontal band at the start
-  std::vector<std::uint8_t> material;  ///< index in the scene
-  std::vector<std::uint8_t> body;      ///< index in the scene
-  std::vector<std::uint32_t> id;       ///< index within the body at the start
+  std::vector<std::uint8_t> layer;      ///< horizontal band at the start
+  std::vector<std::uint32_t> material;  ///< index in the scene
+  std::vector<std::uint32_t> body;      ///< index in the scene
+  std::vector<std::uint32_t> id;        ///< index within the body at the start
 };
 
 /// Segments of all membranes.
 struct MembraneSnapshot {
-  std::vector<float> points;                ///< three per node [m]
+  std::vector<double> points;  ///< three per node [m]
+  Precision precision = Precision::single;
   std::vector<std::uint32_t> connectivity;  ///< two nodes per segment
   std::vector<Field> fields;                ///< per segment
-  std::vector<std::uint8_t> membrane;       ///< index in the scene, per segment
+  std::vector<std::uint32_t> membrane;      ///< index in the scene, per segment
 };
 
 /// Lines of the surfaces of all rigid bodies that are there.
 struct RigidSnapshot {
-  std::vector<float> points;                ///< three per corner [m]
+  std::vector<double> points;  ///< three per corner [m]
+  Precision precision = Precision::single;
   std::vector<std::uint32_t> connectivity;  ///< two corners per line
   std::vector<Field> fields;                ///< per corner
-  std::vector<std::uint8_t> rigid;          ///< index in the scene, per line
+  std::vector<std::uint32_t> rigid;         ///< index in the scene, per line
 };
 
 struct Snapshot {

@@ -19,14 +19,17 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedIntArray.h>
+#include <vtkUnsignedShortArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
 #include <geodrop/error.hpp>
+#include <limits>
 
 #include "atomic_file.hpp"
 
@@ -58,9 +61,41 @@ void add_fields(vtkFieldData* to, const std::vector<Field>& fields) {
   }
 }
 
-void set_points(vtkPointSet* to, const std::vector<float>& points) {
+/// A copy of integers in a narrower type.
+template <class VtkArray>
+vtkSmartPointer<VtkArray> narrowed(const std::string& name, const std::vector<std::uint32_t>& values) {
+  auto array = vtkSmartPointer<VtkArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename VtkArray::ValueType>(values[i]));
+  return array;
+}
+
+/// Numbers of bodies, materials, ...: one byte each wherever they fit.
+void add_numbers(vtkFieldData* to, const std::string& name, const std::vector<std::uint32_t>& values) {
+  const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  if (largest <= std::numeric_limits<std::uint8_t>::max())
+    to->AddArray(narrowed<vtkUnsignedCharArray>(name, values));
+  else if (largest <= std::numeric_limits<std::uint16_t>::max())
+    to->AddArray(narrowed<vtkUnsignedShortArray>(name, values));
+  else
+    add<vtkUnsignedIntArray>(to, name, values);
+}
+
+void set_points(vtkPointSet* to, const std::vector<double>& points, Precision precision) {
   vtkNew<vtkPoints> vtk_points;
-  vtk_points->SetData(view<vtkFloatArray>("Points", points, 3));
+  if (precision == Precision::twice) {
+    vtk_points->SetData(view<vtkDoubleArray>("Points", points, 3));
+  } else {
+    vtkNew<vtkFloatArray> array;
+    array->SetName("Points");
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfValues(static_cast<vtkIdType>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      array->SetValue(static_cast<vtkIdType>(i), static_cast<float>(points[i]));
+    vtk_points->SetData(array);
+  }
   to->SetPoints(vtk_points);
 }
 
@@ -84,11 +119,12 @@ vtkSmartPointer<vtkCellArray> make_cells(vtkTypeInt32Array* connectivity, int si
 }
 
 /// Lines of two points each.
-vtkSmartPointer<vtkPolyData> make_lines(const std::vector<float>& points, const std::vector<std::uint32_t>& ends) {
+template <class LineSnapshot>
+vtkSmartPointer<vtkPolyData> make_lines(const LineSnapshot& snapshot) {
   auto lines = vtkSmartPointer<vtkPolyData>::New();
-  set_points(lines, points);
+  set_points(lines, snapshot.points, snapshot.precision);
   vtkNew<vtkTypeInt32Array> connectivity;
-  for (const std::uint32_t node : ends) connectivity->InsertNextValue(static_cast<vtkTypeInt32>(node));
+  for (const std::uint32_t node : snapshot.connectivity) connectivity->InsertNextValue(static_cast<vtkTypeInt32>(node));
   lines->SetLines(make_cells(connectivity, 2));
   return lines;
 }
@@ -148,7 +184,7 @@ std::string frame_file_name(const std::string& kind, std::size_t index, const st
 void write_particles(const std::filesystem::path& path, const ParticleSnapshot& particles, double t,
                      Compression compression) {
   vtkNew<vtkUnstructuredGrid> grid;
-  set_points(grid, particles.points);
+  set_points(grid, particles.points, particles.precision);
   vtkNew<vtkTypeInt32Array> connectivity;
   connectivity->SetNumberOfValues(static_cast<vtkIdType>(particles.id.size()));
   for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
@@ -156,8 +192,8 @@ void write_particles(const std::filesystem::path& path, const ParticleSnapshot& 
   grid->SetCells(VTK_VERTEX, make_cells(connectivity, 1));
   add_fields(grid->GetPointData(), particles.fields);
   add<vtkUnsignedCharArray>(grid->GetPointData(), "layer", particles.layer);
-  add<vtkUnsignedCharArray>(grid->GetPointData(), "material", particles.material);
-  add<vtkUnsignedCharArray>(grid->GetPointData(), "body", particles.body);
+  add_numbers(grid->GetPointData(), "material", particles.material);
+  add_numbers(grid->GetPointData(), "body", particles.body);
   add<vtkUnsignedIntArray>(grid->GetPointData(), "id", particles.id);
   set_time(grid, t);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
@@ -166,16 +202,16 @@ void write_particles(const std::filesystem::path& path, const ParticleSnapshot& 
 
 void write_membranes(const std::filesystem::path& path, const MembraneSnapshot& membranes, double t,
                      Compression compression) {
-  const auto lines = make_lines(membranes.points, membranes.connectivity);
+  const auto lines = make_lines(membranes);
   add_fields(lines->GetCellData(), membranes.fields);
-  add<vtkUnsignedCharArray>(lines->GetCellData(), "membrane", membranes.membrane);
+  add_numbers(lines->GetCellData(), "membrane", membranes.membrane);
   write_lines(lines, t, path, compression);
 }
 
 void write_rigid(const std::filesystem::path& path, const RigidSnapshot& rigid, double t, Compression compression) {
-  const auto lines = make_lines(rigid.points, rigid.connectivity);
+  const auto lines = make_lines(rigid);
   add_fields(lines->GetPointData(), rigid.fields);
-  add<vtkUnsignedCharArray>(lines->GetCellData(), "rigid", rigid.rigid);
+  add_numbers(lines->GetCellData(), "rigid", rigid.rigid);
   write_lines(lines, t, path, compression);
 }
 

@@ -21,8 +21,9 @@ double driving_work(const State<Dim>& state) {
 }
 
 [[noreturn]] void stop(double held, double budget, double t_before) {
-  throw RunError("energy grows without cause: motion and strain hold " + format_number(held, 4) +
-                 " J, but the start, gravity and moving bodies gave " + format_number(budget, 4) +
+  const std::string holds = std::isfinite(held) ? "hold " + format_number(held, 4) + " J" : "hold more than any number";
+  throw RunError("energy grows without cause: motion and strain " + holds +
+                 ", but the start, gravity and moving bodies gave " + format_number(budget, 4) +
                  " J; in order until t = " + format_number(t_before, 6) +
                  " s, frames up to then are good. A smaller solver.courant, solver.transfer tpic or a larger "
                  "solver.blend_rate may cure it");

@@ -6,6 +6,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
+#include <utility>
+
+#include "../setup/memory_estimate.hpp"
+#include "check_resumable.hpp"
 
 namespace geodrop {
 namespace {
@@ -47,14 +52,25 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
 }
 
 template <int Dim>
+void check_resumable(const Scene& scene, State<Dim> built, const Output<Dim>& output) {
+  const std::string fault = fault_in_state(scene, std::move(built), output.resumed_state());
+  if (fault.empty()) return;
+  throw SceneError(output.directory().string(),
+                   {{{}, "--resume", "a checkpoint with " + fault, "a state of this scene", ProblemSource::elsewhere}});
+}
+
+template <int Dim>
 RunOutcome run_in(const Scene& scene, const RunOptions& options) {
-  // The state comes first: a scene that cannot be built must not touch an earlier run's directory.
-  State<Dim> state;
-  if (!options.resume) state = build_state<Dim>(scene);
+  // The state comes first: a scene that cannot be built must not touch an earlier run's directory. What a run goes on
+  // from is judged by it.
+  State<Dim> state = build_state<Dim>(scene);
   catch_signals();
   Output<Dim> output(scene, options);
   for (const std::string& note : scene_notes(scene)) output.log("note: " + note);
-  if (options.resume) state = output.resume();
+  if (options.resume) {
+    check_resumable(scene, std::move(state), output);
+    state = output.resume();
+  }
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   if (!options.resume) output.start(Frame<Dim>(state));
@@ -75,7 +91,12 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
 }  // namespace
 
 RunOutcome perform_run(const Scene& scene, const RunOptions& options) {
-  return scene.dimension == 2 ? run_in<2>(scene, options) : run_in<3>(scene, options);
+  require_memory(scene);
+  try {
+    return scene.dimension == 2 ? run_in<2>(scene, options) : run_in<3>(scene, options);
+  } catch (const std::bad_alloc&) {
+    throw RunError("not enough memory: the scene takes " + describe(estimate_memory(scene)));
+  }
 }
 
 int run_scene(const Scene& scene, const RunOptions& options, bool verify) {

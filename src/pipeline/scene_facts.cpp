@@ -1,8 +1,10 @@
 // What a user should know of a scene before the first step.
+#include <geodrop/error.hpp>
 #include <geodrop/pipeline.hpp>
 #include <geodrop/run.hpp>
 
 #include "../setup/initial_stress.hpp"
+#include "../setup/memory_estimate.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -56,7 +58,19 @@ template std::vector<Fact> state_facts<2>(const Scene&, const State<2>&);
 template std::vector<Fact> state_facts<3>(const Scene&, const State<3>&);
 
 std::vector<Fact> scene_facts(const Scene& scene) {
-  return scene.dimension == 2 ? state_facts(scene, build_state<2>(scene)) : state_facts(scene, build_state<3>(scene));
+  require_memory(scene);
+  std::vector<Fact> facts =
+      scene.dimension == 2 ? state_facts(scene, build_state<2>(scene)) : state_facts(scene, build_state<3>(scene));
+  facts.push_back({"memory_bytes_count", estimate_memory(scene).bytes});
+  return facts;
+}
+
+void check_first_step(const Scene& scene) {
+  try {
+    scene_facts(scene);
+  } catch (const RunError& error) {
+    throw SceneError(scene.file, {{{1, 1}, "time", error.what(), "a scene whose first time step can be made"}});
+  }
 }
 
 std::string stages_text(const Scene& scene) { return scene.dimension == 2 ? stages_in<2>(scene) : stages_in<3>(scene); }

@@ -61,7 +61,8 @@ double viscosity_in(const Body<Dim>& body) {
 /// A mass-proportional damping beta leaves (2/omega)(sqrt(1 + xi^2) - xi) of the step, xi = beta / (2 omega).
 double damped(double dt, double rate) {
   const double xi = rate * dt / 4;
-  return dt * (std::sqrt(1 + xi * xi) - xi);
+  constexpr double square_is_all = 1e8;  // 1 is beyond the last digit of xi^2, and the difference would cancel
+  return xi < square_is_all ? dt * (std::sqrt(1 + xi * xi) - xi) : dt / (2 * xi);
 }
 
 /// Largest step that penalties allow: k dt^2 / (rho h) = stiffness (c dt / h)^2 <= 1/2, and of their damping

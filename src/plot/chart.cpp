@@ -1,19 +1,18 @@
 // The script for gnuplot: data inline, so that nothing but the picture is left behind.
 #include "chart.hpp"
 
+#include "ask_program.hpp"
+
 #include "output/atomic_file.hpp"
-#include "output/shell_command.hpp"
 #include "output/text.hpp"
 
 #include <geodrop/error.hpp>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-
-#include <sys/wait.h>
 
 namespace geodrop {
 namespace {
@@ -22,6 +21,9 @@ namespace fs = std::filesystem;
 
 /// Colours that differ in lightness as well, for print and for colour-blind readers (Okabe & Ito).
 constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
+
+/// Pictures take a second or two; the largest that tests draw take four.
+constexpr std::chrono::seconds patience_with_gnuplot{30};
 
 /// Names come from scene files, so they may hold anything.
 std::string quoted(const std::string& text) {
@@ -99,23 +101,6 @@ std::string panel_text(const ChartPanel& panel, std::size_t number) {
          x.range(panel.axes) + "\nset yrange " + y.range(panel.axes) + "\n" + plots + "\n";
 }
 
-/// What a program said and how it ended.
-struct Answer {
-  std::string said;
-  int code;
-};
-
-Answer ask(const std::string& command) {
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe) throw RunError("cannot start " + command);
-  Answer answer;
-  for (int letter = std::fgetc(pipe); letter != EOF; letter = std::fgetc(pipe))
-    answer.said += static_cast<char>(letter);
-  const int status = pclose(pipe);
-  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return answer;
-}
-
 /// A file that goes away with its owner.
 struct PassingFile {
   fs::path path;
@@ -149,9 +134,12 @@ void write_chart(const Chart& chart, const fs::path& relative) {
   const fs::path file = fs::absolute(relative);  // no name that gnuplot could take for an option
   const PassingFile script(file.string() + ".gnuplot"), picture(file.string() + ".part" + file.extension().string());
   write_file_atomically(script.path, gnuplot_script(chart, picture.path));
-  const Answer answer = ask("gnuplot " + shell_word(script.path.string()) + " 2>&1");
-  constexpr int not_found = 127;  // the shell's word for it
-  if (answer.code == not_found)
+  // -d: not what the user's ~/.gnuplot says.
+  const Answer answer = ask_program({"gnuplot", "-d", script.path.string()}, patience_with_gnuplot);
+  if (answer.timed_out)
+    throw RunError("gnuplot did not draw " + file.string() + " in " + std::to_string(patience_with_gnuplot.count()) +
+                   " s and was ended");
+  if (answer.code == exit_not_found)
     throw RunError("cannot draw " + file.string() + ": gnuplot is not installed (Debian: gnuplot-nox)");
   if (answer.code != 0 || !fs::exists(picture.path))
     throw RunError("gnuplot could not draw " + file.string() + ": " + answer.said);

@@ -1,10 +1,11 @@
 #include "csv_table.hpp"
 
 #include <geodrop/error.hpp>
+#include <geodrop/input_file.hpp>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 
 namespace geodrop {
 namespace {
@@ -30,7 +31,8 @@ const std::vector<double>& CsvTable::column(const std::string& name) const {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
-  std::ifstream file(path);
+  constexpr std::uint64_t most = std::uint64_t{4} << 30;
+  std::istringstream file(read_input(path, "", "a table of numbers", most));
   std::string line;
   std::getline(file, line);
   CsvTable table{cells(line), {}, path.string()};

@@ -21,6 +21,7 @@ void check_scene(const Scene& scene, Report& report) {
   check_pumps(scene, report);
   check_stages(scene, report);
   check_measurements(scene, report);
+  check_output(scene, report);
 }
 
 bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,

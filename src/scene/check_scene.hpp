@@ -34,6 +34,7 @@ void check_silent_sides(const Scene& scene, Report& report);
 void check_pumps(const Scene& scene, Report& report);
 void check_stages(const Scene& scene, Report& report);
 void check_measurements(const Scene& scene, Report& report);
+void check_output(const Scene& scene, Report& report);
 
 /// Owners of columns about the whole scene; no body, membrane or probe has such a name.
 inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};

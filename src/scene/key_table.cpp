@@ -182,10 +182,10 @@ constexpr Key keys[] = {
     {"relaxation", "kinetic_ratio", real, "", "damping=kinetic", required, positive, "kinetic energy over the work done by gravity, or against it, to be reached"},
     {"relaxation", "out_of_balance_ratio", real, "", "damping=kinetic", required, positive, "norm of the forces out of balance over that of the weight, to be reached"},
 
-    {"time", "end", real, "s", "", required, positive, "simulated time"},
+    {"time", "end", real, "s", "", required, positive, "simulated time; the run ends with the first step that reaches it, up to one step later (no step is shortened)"},
 
-    {"output", "frame_interval", real, "s", "", required, positive, "time between pictures (VTU frames)"},
-    {"output", "history_interval", real, "s", "", required, positive, "time between rows of history.csv"},
+    {"output", "frame_interval", real, "s", "", required, positive, "time between pictures (VTU frames), at least 1e-9 of time.end; one is written at the first step at or after each multiple"},
+    {"output", "history_interval", real, "s", "", required, positive, "time between rows of history.csv, likewise"},
     {"output", "compress", boolean, "", "", standard("false"), yes_no, "compress the VTU files"},
     {"output", "checkpoint_interval", real, "s", "", standard("300.0"), not_negative, "wall time between checkpoints, from which a run that was killed goes on; 0: none by wall time. The last two are kept"},
     {"output", "checkpoint_every", real, "s", "", standard("0.0"), not_negative, "simulated time between checkpoints, besides those by wall time; 0: none"},

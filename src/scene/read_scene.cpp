@@ -1,3 +1,4 @@
+#include <geodrop/input_file.hpp>
 #include <geodrop/scene_reader.hpp>
 
 #include "bind_scene.hpp"
@@ -6,25 +7,13 @@
 #include "overrides.hpp"
 #include "write_scene.hpp"
 
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace geodrop {
 namespace {
 
-std::string read_text(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  // An empty file leaves `text` in a failed state, a directory leaves `file` in one.
-  if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(text << file.rdbuf())) || file.bad()) {
-    throw SceneError(path, {{{}, "", "no readable file", "a scene in TOML"}});
-  }
-  return text.str();
-}
-
 toml::table parse(const std::string& path) {
-  const std::string text = read_text(path);
+  const std::string text = read_input(path, "", "a scene in TOML");
   try {
     return toml::parse(text, std::string_view(path));
   } catch (const toml::parse_error& error) {

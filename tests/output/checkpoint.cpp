@@ -28,7 +28,15 @@ State<2> odd_state() {
   return state;
 }
 
-const OutputRecord record{{0, 0.5}, {{0, 1.0 / 3}, {0.25, std::nan("")}}};
+/// Two rows as wide as those of the scene, with a NaN.
+OutputRecord small_record() {
+  OutputRecord record{{0, 0.25}, {2, std::vector<double>(history_columns(small_scene()).size(), 1.0 / 3)}};
+  record.rows[0][0] = 0;
+  record.rows[1] = std::vector<double>(record.rows[0].size(), std::nan(""));
+  record.rows[1][0] = 0.25;
+  return record;
+}
+const OutputRecord record = small_record();
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
@@ -113,8 +121,8 @@ TEST_CASE("what cannot be resumed is refused with its reason") {
   CHECK(refusal(path, scene) == "");
 
   Scene other = scene;
-  other.as_run += "# another\n";
-  CHECK(refusal(path, other) == "a checkpoint of another scene");
+  other.as_run += "[grid]\nspacing = 2.0\n";
+  CHECK(refusal(path, other) == "a checkpoint of another scene: no grid, here it is");
   CHECK_THROWS_AS(read_checkpoint<3>(path, scene), SceneError);
 
   for (const std::size_t length : {whole.size() - 1, whole.size() / 2, std::size_t{40}}) {

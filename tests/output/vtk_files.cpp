@@ -122,7 +122,7 @@ TEST_CASE("the six components of three dimensions are in VTK's order") {
   State<3> state;
   state.bodies = {body};
   const ParticleSnapshot particles = take_snapshot(state, materials).particles;
-  CHECK(particles.points == std::vector<float>{1, 2, 3});
+  CHECK(particles.points == std::vector<double>{1, 2, 3});
   CHECK(particles.fields[2].values == std::vector<float>{1, 2, 3, 4, 5, 6});  // XX YY ZZ XY YZ XZ, as in types.hpp
 }
 

@@ -75,8 +75,8 @@ TEST_CASE("the program refuses each bad scene with exit code 2 and makes no run 
 TEST_CASE("a file that is not there, a directory, an empty file, a file that is no text") {
   const TemporaryDirectory directory;
   const auto path = [&](const char* name) { return (directory / name).string(); };
-  CHECK(scene_error(path("none.toml")) == path("none.toml") + ": found no readable file; allowed: a scene in TOML");
-  CHECK(scene_error(directory / "") == path("") + ": found no readable file; allowed: a scene in TOML");
+  CHECK(scene_error(path("none.toml")) == path("none.toml") + ": found no such file; allowed: a scene in TOML");
+  CHECK(scene_error(directory / "") == path("") + ": found a directory, not a regular file; allowed: a scene in TOML");
   CHECK(scene_error_of_text("").find(":1:1: bodies: found nothing: the key is missing") != std::string::npos);
   CHECK(scene_error_of_text("[;bodies]]").find(":1:2: syntax: found") != std::string::npos);
   CHECK(scene_error_of_text("[[[bodies]]").find("syntax: found") != std::string::npos);

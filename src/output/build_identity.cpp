@@ -1,0 +1,48 @@
+#include "build_identity.hpp"
+
+#include <geodrop/version.hpp>
+
+namespace geodrop {
+namespace {
+
+std::string kernel_level() {
+#ifdef GEODROP_NO_CLONES
+  return "one level of processor";
+#else
+  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
+#endif
+}
+
+std::string compiler() {
+#ifdef __clang__
+  std::string text = "clang++ ";
+#else
+  std::string text = "g++ ";
+#endif
+  text += __VERSION__;
+#ifdef NDEBUG
+  text += ", optimised";
+#endif
+#ifdef __SANITIZE_ADDRESS__
+  text += ", with sanitizers";
+#endif
+  return text;
+}
+
+}  // namespace
+
+BuildIdentity this_build() { return {GEODROP_VERSION, compiler(), kernel_level()}; }
+
+std::string differences(const BuildIdentity& before, const BuildIdentity& now) {
+  std::string text;
+  const auto compare = [&](const std::string& what, const std::string& was, const std::string& is) {
+    if (was != is) text += (text.empty() ? "" : ", ") + what + was + " instead of " + is;
+  };
+  compare("geodrop ", before.version, now.version);
+  compare("", before.compiler, now.compiler);
+  compare("kernels for ", before.processor, now.processor);
+  return text;
+}
+
+}  // namespace geodrop
