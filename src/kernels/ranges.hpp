@@ -92,7 +92,13 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
       store_sums<Dim, transfer>(sums_of<Dim, Basis, transfer>(grid, weights, k), options.dt, body.shift, shift, k,
                                 rates);
     }
-    if constexpr (transfer != Transfer::musl) store_affine(body, rates, options.damping / options.dt, p, count);
+    if constexpr (transfer != Transfer::musl) {
+      const double scale = options.damping / options.dt;
+      if (next.from_memory() && count == chunk_size && p % chunk_size == 0)
+        stream_affine(body, rates, scale, p);
+      else
+        store_affine(body, rates, scale, p, count);
+    }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);
     if constexpr (is_graded<Basis>)
@@ -101,7 +107,7 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     strain_chunk<Dim>(body, rates, options.dt, p, count);
     finish_chunk(body, grid.layout, old_x, p, count, maxima);
   }
-  _mm_sfence();  // streamed stores reach the other threads before what comes after
+  finish_streaming();
   return maxima;
 }
 
