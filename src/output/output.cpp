@@ -221,7 +221,7 @@ void Output<Dim>::write_pending() {
   parts_->checkpoints.give_room_back();
   const std::size_t missing = parts_->frames.try_again();
   parts_->history_file->catch_up();
-  if (missing > 0) log("warning: no room for the last " + std::to_string(missing) + " frames");
+  if (missing > 0) log("warning: no room for all frames, missing: " + std::to_string(missing));
 }
 
 template <int Dim>
@@ -300,6 +300,8 @@ void Output<Dim>::print_end(Frame<Dim> frame, const RunStatistics& statistics, c
       format_duration(statistics.wall_seconds) + ", state " + summary.state_hash + ", files in " +
       directory().string());
   if (!statistics.message.empty()) log(statistics.message);
+  if (statistics.status == RunStatus::blocked && !parts_->checkpoints.newest_time())
+    log("no checkpoint could be written");
   const std::string how = how_to_go_on(statistics.status, parts_->checkpoints.newest_time());
   if (!how.empty()) log(how + parts_->options.resume_command);
   if (statistics.status == RunStatus::done && !summary.results.empty())

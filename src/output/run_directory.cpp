@@ -131,9 +131,8 @@ int next_number(const fs::path& directory) {
   return next;
 }
 
-/// Returns the directory's new name.
-std::string move_aside(const fs::path& directory) {
-  const fs::path real = fs::canonical(directory);  // what a link leads to moves, the link stays
+/// Renames `real`, which is the directory or what a link of that name leads to. Returns the new name.
+std::string move_aside(const fs::path& directory, const fs::path& real) {
   const fs::path here = fs::current_path();
   if (std::mismatch(real.begin(), real.end(), here.begin(), here.end()).first == real.end())
     refuse(directory, "an earlier run in the directory in which this command runs",
@@ -172,8 +171,9 @@ RunPlace take_for_new_run(const fs::path& directory, EarlierRun earlier) {
     return {std::move(lock),
             "replaced an earlier run in " + directory.string() + " (" + std::to_string(removed) + " files)"};
   }
-  const std::string aside = move_aside(directory);
-  make_directory(directory);
+  const fs::path real = fs::canonical(directory);
+  const std::string aside = move_aside(directory, real);
+  make_directory(real);
   return {RunLock(directory), "an earlier run in " + directory.string() + " was moved aside, to " + aside};
 }
 

@@ -26,9 +26,8 @@ std::string drop_missing_frames(const std::filesystem::path& directory, std::vec
   while (!times.empty() && !std::filesystem::exists(directory / frame_file_name("particles", times.size() - 1, "vtu")))
     times.pop_back();
   if (times.size() == recorded) return "";
-  return "warning: the last " + std::to_string(recorded - times.size()) +
-         " frames before the checkpoint are not there; the next one follows frame " + std::to_string(times.size()) +
-         " of " + std::to_string(recorded);
+  return "warning: the frames from number " + std::to_string(times.size()) + " to " + std::to_string(recorded - 1) +
+         ", before the checkpoint, are not on the disk; the next one takes the first of these numbers";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ const Left& uninterrupted() {
 void check_resumed(const std::string& file, const std::vector<std::string>& changes, const std::string& until) {
   const Left whole(SceneRun(file, changes, {"--threads", "1"}));
   SceneRun run(file, changes, {"--threads", "2", "--until", until});
-  CHECK(run.outcome().code == 0);
+  CHECK(run.outcome().code == 75);
   CHECK(run.hash() != whole.hash);
   CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
   CHECK(run.hash() == whole.hash);
@@ -44,7 +44,8 @@ void check_resumed(const std::string& file, const std::vector<std::string>& chan
 
 TEST_CASE("Stopped by --until and resumed, also on other threads: the same hash and history") {
   SceneRun run(scene, settings, {"--threads", "2", "--until", "0.043"});
-  CHECK(run.outcome().code == 0);
+  CHECK(run.outcome().code == 75);
+  CHECK(run.text("status") == "stopped");
   CHECK(std::filesystem::exists(run.file("checkpoint.bin")));
   CHECK(run.hash() != uninterrupted().hash);
   CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
@@ -55,7 +56,7 @@ TEST_CASE("Stopped by --until and resumed, also on other threads: the same hash 
 
 TEST_CASE("Stopped twice and resumed: the same hash and history") {
   SceneRun run(scene, settings, {"--until", "0.021"});
-  CHECK(run.again({"--resume", "--until", "0.062"}).code == 0);
+  CHECK(run.again({"--resume", "--until", "0.062"}).code == 75);
   CHECK(run.again({"--resume"}).code == 0);
   CHECK(run.hash() == uninterrupted().hash);
   CHECK(geodrop::read_file(run.file("history.csv")) == uninterrupted().history);
@@ -128,7 +129,7 @@ TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as w
   CHECK((outcome.out + outcome.err).find("--resume") != std::string::npos);
   const double stopped_at = run.column("time_s").back(), end = stopped_at + 0.2;
   REQUIRE(end < 3);
-  CHECK(run.again({"--resume", "--until", std::to_string(end)}).code == 0);
+  CHECK(run.again({"--resume", "--until", std::to_string(end)}).code == 75);
   const SceneRun whole(scene, longer, {"--until", std::to_string(end)});
   CHECK(run.hash() == whole.hash());
   CHECK(geodrop::read_file(run.file("history.csv")) == geodrop::read_file(whole.file("history.csv")));

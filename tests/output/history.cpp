@@ -1,6 +1,9 @@
 // Columns of history.csv on a state whose numbers are worked by hand.
+#include <geodrop/error.hpp>
 #include <geodrop/history.hpp>
 
+#include "output/growing_file.hpp"
+#include "output/history_file.hpp"
 #include "support/near.hpp"
 #include "support/scene_files.hpp"
 #include "support/small_state.hpp"
@@ -8,8 +11,10 @@
 #include <doctest/doctest.h>
 
 #include <omp.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <map>
 #include <numbers>
 
@@ -329,7 +334,27 @@ TEST_CASE("history.csv: header, nine digits, nan") {
 }
 
 TEST_CASE("a full disk is an error of history.csv, too") {
-  HistoryFile* file = nullptr;
-  CHECK_THROWS_AS(file = new HistoryFile("/dev/full", {{"time_s"}, {}}), RunError);
-  CHECK(file == nullptr);
+  CHECK_THROWS_AS(HistoryFile("/dev/null/history.csv", {{"time_s"}, {}}), WriteError);
+}
+
+TEST_CASE("a text that the disk does not take is kept for later, whole") {
+  const TemporaryDirectory directory;
+  GrowingFile full("/dev/full", GrowingFile::Begin::behind);
+  full.append("row\n");
+  CHECK(full.failure() == "cannot write /dev/full: No space left on device");
+  // A limit on the size of files, lifted later. Room for half a row only.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const std::filesystem::path path = directory / "rows";
+  GrowingFile file(path, GrowingFile::Begin::anew);
+  file.append("123\n");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit tight{6, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &tight);
+  file.append("456\n");
+  setrlimit(RLIMIT_FSIZE, &before);
+  CHECK(read_file(path) == "123\n");
+  CHECK(file.failure().ends_with("File too large"));
+  file.append("789\n");
+  CHECK(read_file(path) == "123\n456\n789\n");
 }

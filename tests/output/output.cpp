@@ -142,16 +142,16 @@ TEST_CASE("a stopped and resumed run leaves the rows and the hash of an uninterr
   Output<2> output(scene, options_for(directory / "halved", true));
   State<2> state = output.resume();
   CHECK(state.t == 0.625);
-  CHECK_FALSE(std::filesystem::exists(directory / "halved/particles_000003.vtu"));
+  CHECK_FALSE(std::filesystem::exists(directory / "halved/particles_000002.vtu"));
+  CHECK_FALSE(contains(read_file(directory / "halved/particles.pvd"), "particles_000002"));
   step_until(output, state, scene.time.end);
   const Summary resumed = output.finish(Frame<2>(state), statistics_of(RunStatus::done));
   CHECK(resumed.state_hash == whole.state_hash);
   CHECK(resumed.results.at(0).value == whole.results.at(0).value);
   CHECK(read_file(directory / "halved/history.csv") == read_file(directory / "whole/history.csv"));
-  // One frame more than the whole run, at the time of the stop: 0, 0.5, 0.625, 1.
-  const std::string collection = read_file(directory / "halved/particles.pvd");
-  CHECK(contains(collection, "timestep=\"0.625\" part=\"0\" file=\"particles_000002.vtu\""));
-  CHECK(contains(collection, "timestep=\"1\" part=\"0\" file=\"particles_000003.vtu\""));
+  // The picture of the stop is gone.
+  CHECK(read_file(directory / "halved/particles.pvd") == read_file(directory / "whole/particles.pvd"));
+  CHECK_FALSE(std::filesystem::exists(directory / "halved/particles_000003.vtu"));
 }
 
 TEST_CASE("each multiple of an interval is written once, at the first time at or after it") {
@@ -181,18 +181,33 @@ TEST_CASE("each multiple of an interval is written once, at the first time at or
   CHECK(output.frame_due(0.3));
 }
 
-TEST_CASE("an earlier run is replaced, anything else is not touched") {
+TEST_CASE("an earlier run moves aside with all that is in its directory, or is replaced; nothing else is touched") {
   const TemporaryDirectory directory;
   const Scene scene = scene_with_results();
   run_whole(scene, directory / "run");
   std::ofstream(directory / "run/notes.txt") << "mine";
   {
-    Output<2> again(scene, options_for(directory / "run"));
+    RunOptions options = options_for(directory / "run");
+    options.earlier = EarlierRun::overwrite;
+    Output<2> again(scene, options);
     CHECK_FALSE(std::filesystem::exists(directory / "run/particles_000002.vtu"));
+    CHECK_FALSE(std::filesystem::exists(directory / "run/checkpoint.bin"));
     CHECK_FALSE(std::filesystem::exists(directory / "run/summary.json"));
     CHECK(contains(read_file(directory / "run/run.log"), "replaced an earlier run"));
     CHECK(read_file(directory / "run/notes.txt") == "mine");
   }
+  CHECK_FALSE(std::filesystem::exists(directory / "run.1"));
+  run_whole(scene, directory / "run");
+  CHECK(read_file(directory / "run.1/notes.txt") == "mine");
+  CHECK_FALSE(std::filesystem::exists(directory / "run/notes.txt"));
+  CHECK(contains(read_file(directory / "run/run.log"), "was moved aside, to " + (directory / "run.1").string() + "\n"));
+  std::filesystem::remove_all(directory / "run.1");
+  std::filesystem::create_directory(directory / "run.7");
+  std::filesystem::create_directory_symlink(directory / "run", directory / "link");
+  run_whole(scene, directory / "link");  // what the link leads to moves, and the newest has the largest number
+  CHECK(std::filesystem::exists(directory / "run.8/particles_000002.vtu"));
+  CHECK(std::filesystem::is_symlink(directory / "link"));
+  CHECK(std::filesystem::exists(directory / "run/particles_000002.vtu"));
   std::filesystem::create_directory(directory / "thesis");
   std::ofstream(directory / "thesis/scene.toml") << "chapter one";
   std::ofstream(directory / "thesis/run.log") << "log of another program";
@@ -211,29 +226,66 @@ TEST_CASE("what is refused leaves no run directory") {
   CHECK(choose_directory(scene, "") == "runs/small");
 }
 
-TEST_CASE("a run that fails because frames cannot be written still ends with a summary") {
+TEST_CASE("frames that the disk does not take are written once there is room, and the checkpoint has them") {
   const TemporaryDirectory directory;
   const Scene scene = small_scene();
-  Output<2> output(scene, options_for(directory / "run"));
-  std::filesystem::create_symlink("/dev/full", directory / "run/particles_000001.vtu.part");
-  State<2> state = small_state();
-  output.start(Frame<2>(state));
-  CHECK_THROWS_AS(
-      [&] {
-        step_until(output, state, 0.5);
-        output.checkpoint(Frame<2>(state));
-      }(),
-      RunError);
-  RunStatistics statistics = statistics_of(RunStatus::failed);
-  statistics.message = "no space";
-  CHECK_NOTHROW(output.finish(Frame<2>(state), statistics));
-  CHECK(contains(read_file(directory / "run/summary.json"), "\"status\": \"failed\",\n  \"message\": \"no space\""));
+  const Summary whole = run_whole(scene, directory / "whole");
+  {
+    Output<2> output(scene, options_for(directory / "run"));
+    std::filesystem::create_directory(directory / "run/particles_000001.vtu.part");  // in the way
+    State<2> state = small_state();
+    output.start(Frame<2>(state));
+    CHECK_FALSE(output.blocked());
+    CHECK(std::filesystem::file_size(directory / "run/checkpoint.reserve") > 100000);
+    step_until(output, state, 0.5);
+    while (!output.blocked()) usleep(1000);
+    CHECK(contains(output.trouble(), "particles_000001.vtu: "));
+    std::filesystem::remove(directory / "run/particles_000001.vtu.part");
+    output.checkpoint(Frame<2>(state));
+    CHECK(std::filesystem::exists(directory / "run/particles_000001.vtu"));
+    CHECK_FALSE(std::filesystem::exists(directory / "run/checkpoint.reserve"));
+    CHECK_NOTHROW(output.finish(Frame<2>(state), statistics_of(RunStatus::stopped)));
+    CHECK(
+        contains(read_file(directory / "run/summary.json"), "\"status\": \"blocked\",\n  \"message\": \"cannot write"));
+    CHECK(contains(read_file(directory / "run/run.log"),
+                   "of t = 0.5 s, is on the disk; once there is room again, go on"));
+  }
+  Output<2> output(scene, options_for(directory / "run", true));
+  State<2> state = output.resume();
+  step_until(output, state, scene.time.end);
+  CHECK(output.finish(Frame<2>(state), statistics_of(RunStatus::done)).state_hash == whole.state_hash);
+  for (const char* name : {"history.csv", "particles.pvd", "particles_000001.vtu"})
+    CHECK(read_file(directory / "run" / name) == read_file(directory / "whole" / name));
+}
+
+TEST_CASE("frames that the disk does not take in the end are missing in a resumed run, which says so") {
+  const TemporaryDirectory directory;
+  const Scene scene = small_scene();
+  {
+    Output<2> output(scene, options_for(directory / "run"));
+    std::filesystem::create_directory(directory / "run/particles_000001.vtu.part");
+    State<2> state = small_state();
+    output.start(Frame<2>(state));
+    step_until(output, state, 0.5);
+    output.checkpoint(Frame<2>(state));
+    CHECK(output.blocked());
+    output.finish(Frame<2>(state), statistics_of(RunStatus::stopped));
+  }
+  std::filesystem::remove(directory / "run/particles_000001.vtu.part");
+  Output<2> output(scene, options_for(directory / "run", true));
+  State<2> state = output.resume();
+  CHECK(contains(read_file(directory / "run/run.log"),
+                 "warning: the frames from number 1 to 1, before the checkpoint, are not on the disk"));
+  step_until(output, state, scene.time.end);
+  output.finish(Frame<2>(state), statistics_of(RunStatus::done));
+  CHECK(
+      contains(read_file(directory / "run/particles.pvd"), "timestep=\"1\" part=\"0\" file=\"particles_000001.vtu\""));
 }
 
 TEST_CASE("a log that cannot be written is refused with the system's reason") {
   const TemporaryDirectory directory;
   CHECK_THROWS_WITH_AS(Console(directory / "missing/run.log", LogMode::begin, Telling::terminal),
-                       doctest::Contains("No such file"), RunError);
+                       doctest::Contains("No such file"), WriteError);
 }
 
 TEST_CASE("the table of stages") {
@@ -261,20 +313,30 @@ TEST_CASE("durations and the progress line") {
   CHECK(contains(line, "ETA 0:00 at "));
 }
 
-TEST_CASE("the first signal asks to stop, the second ends the program") {
-  const auto exit_of = [](int signals) {
+TEST_CASE("signals: what asks to stop, what ends the program, what asks for a checkpoint, what is no concern") {
+  constexpr int stopped = 75, checkpoint = 3, nothing = 2;
+  const auto exit_of = [](
+                           const std::vector<int>& signals, void (*before)() = [] {}) {
     const pid_t child = fork();
     if (child == 0) {
-      catch_stop_signals();
-      if (stop_requested()) _exit(1);
-      for (int i = 0; i < signals; ++i) raise(i == 0 ? SIGTERM : SIGINT);
-      _exit(stop_requested() ? 75 : 2);
+      before();
+      catch_signals();
+      if (stop_requested() || take_checkpoint_request()) _exit(1);
+      for (const int signal : signals) raise(signal);
+      if (stop_requested()) _exit(stopped);
+      _exit(take_checkpoint_request() && !take_checkpoint_request() ? checkpoint : nothing);
     }
     int status = 0;
     waitpid(child, &status, 0);
-    return WEXITSTATUS(status);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   };
-  CHECK(exit_of(0) == 2);
-  CHECK(exit_of(1) == 75);
-  CHECK(exit_of(2) == 130);
+  CHECK(exit_of({}) == nothing);
+  CHECK(exit_of({SIGTERM}) == stopped);
+  CHECK(exit_of({SIGINT}) == stopped);
+  CHECK(exit_of({SIGTERM, SIGINT}) == 130);
+  CHECK(exit_of({SIGHUP}) == stopped);
+  CHECK(exit_of({SIGHUP, SIGHUP, SIGTERM}) == stopped);
+  CHECK(exit_of({SIGHUP}, [] { std::signal(SIGHUP, SIG_IGN); }) == nothing);  // nohup
+  CHECK(exit_of({SIGUSR1, SIGUSR1}) == checkpoint);
+  CHECK(exit_of({SIGPIPE, SIGXFSZ}) == nothing);
 }

@@ -17,9 +17,11 @@ TEST_CASE("a word is quoted only where a shell would change it") {
     CHECK(shell_word(special) == std::string("'") + special + "'");
 }
 
-TEST_CASE("a run goes on with every argument except the time at which it was to stop") {
+TEST_CASE("a run goes on with every argument except those that are for its beginning") {
   CHECK(resume_command({"./geodrop", "run", "my scene.toml", "--set", "a=1", "--threads", "2"}) ==
         "./geodrop run 'my scene.toml' --set a=1 --threads 2 --resume");
   CHECK(resume_command({"geodrop", "run", "--until", "0.5", "a.toml"}) == "geodrop run a.toml --resume");
   CHECK(resume_command({"geodrop", "run", "--until=0.5", "a.toml", "--resume"}) == "geodrop run a.toml --resume");
+  CHECK(resume_command({"geodrop", "run", "a.toml", "--overwrite"}) == "geodrop run a.toml --resume");
+  CHECK(shell_command({"geodrop", "run", "my scene.toml"}) == "geodrop run 'my scene.toml'");
 }

@@ -62,10 +62,14 @@ inline Outcome run_program(const std::vector<std::string>& arguments) { return P
 /// A run of a scene of the repository into a temporary directory.
 class SceneRun {
  public:
-  /// `settings` are those of --set; `more` any further arguments.
+  enum class Begin { now, later };
+
+  /// `settings` are those of --set; `more` any further arguments. Begun later, it runs by `again`.
   explicit SceneRun(const std::string& scene, const std::vector<std::string>& settings = {},
-                    const std::vector<std::string>& more = {})
-      : scene_(scene.front() == '/' ? scene : source_path(scene)), settings_(settings), outcome_(go(more)) {}
+                    const std::vector<std::string>& more = {}, Begin begin = Begin::now)
+      : scene_(scene.front() == '/' ? scene : source_path(scene)),
+        settings_(settings),
+        outcome_(begin == Begin::now ? go(more) : Outcome{}) {}
 
   const Outcome& outcome() const { return outcome_; }
   std::filesystem::path file(const std::string& name) const { return directory_ / "run" / name; }
