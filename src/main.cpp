@@ -121,8 +121,12 @@ int stages(const Arguments& arguments) {
 
 /// The clone of the kernels that this machine chose, see kernels/chunk.hpp.
 const char* kernel_instruction_set() {
+#ifdef GEODROP_NO_CLONES
+  return "the least processor that the program runs on";
+#else
   if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
   return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
+#endif
 }
 
 int info(const Arguments& arguments) {
@@ -172,6 +176,7 @@ void add_bench_options(CLI::App& command, Arguments& arguments) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what is thrown before options are read is a mistake of the program
 int main(int argc, char** argv) {
   restart_with_patient_threads(argv);
   CLI::App app{"geodrop: Material Point Method for soil, water and geotextile", "geodrop"};
