@@ -28,10 +28,3 @@ if(GEODROP_SANITIZE)
                          -fno-sanitize-recover=all)
   target_link_options(geodrop_flags INTERFACE -fsanitize=address,undefined)
 endif()
-
-# GCC's OpenMP is no use here: the sanitizer does not see its barriers and takes every loop for a race.
-if(GEODROP_THREAD_SANITIZE)
-  target_compile_definitions(geodrop_flags INTERFACE GEODROP_NO_CLONES)
-  target_compile_options(geodrop_flags INTERFACE -O1 -g -fno-omit-frame-pointer -fsanitize=thread -w)
-  target_link_options(geodrop_flags INTERFACE -fsanitize=thread)
-endif()
