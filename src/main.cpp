@@ -180,6 +180,7 @@ void add_bench_options(CLI::App& command, Arguments& arguments) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what is thrown before options are read is a mistake of the program
 int main(int argc, char** argv) {
   open_closed_outputs();
   restart_with_patient_threads(argv);
