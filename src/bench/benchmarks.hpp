@@ -35,8 +35,8 @@ struct SceneBenchmark {
   std::string name, file;
   std::vector<std::string> overrides;
 };
-/// The main case first, which --scene may replace; then its coarse grid, enclosed fluid in a membrane on the ground,
-/// membranes that touch, soil in 3D.
+/// The main case first, which --scene may replace; then its coarse grid, enclosed fluid in a membrane in contact
+/// with the ground, two membranes in water, soil in 3D.
 std::vector<SceneBenchmark> scene_benchmarks();
 
 /// As scene files name them.
