@@ -6,6 +6,7 @@
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
+#include "bench/machine.hpp"
 #include "command_line/fall.hpp"
 #include "command_line/geotube.hpp"
 #include "command_line/only_if.hpp"
@@ -20,6 +21,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -40,13 +42,9 @@ struct Arguments {
   bool resume = false;
   bool overwrite = false;
   bool verify = false;
-  bool quick = false;
   bool growth = false;
-  std::string only;
-  double particles = 0;
-  std::string bench_scene;
-  std::string ratios;
-  bool compare = false;
+  bool instructions = false;
+  geodrop::BenchOptions bench;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -145,37 +143,49 @@ int info(const Arguments& arguments) {
 }
 
 int bench(const Arguments& arguments) {
-  // One thread is judged by processor time, which other processes hardly disturb.
-  const bool steady = arguments.compare && arguments.threads == 0;
-  const int threads = steady ? 1 : choose_threads(arguments.threads);
-  omp_set_num_threads(threads);
-  geodrop::BenchOptions options;
+  geodrop::BenchOptions options = arguments.bench;
   options.directory = arguments.output.empty() ? "runs/bench" : arguments.output;
-  options.threads = threads;
-  options.quick = arguments.quick || arguments.compare;
-  options.only = arguments.only;
-  options.particles = arguments.particles;
-  options.scene = arguments.bench_scene;
-  if (arguments.compare) options.check = arguments.ratios;
-  return arguments.growth ? geodrop::run_growth(options) : geodrop::run_bench(options);
+  options.threads = options.steps > 0 ? 1 : choose_threads(arguments.threads);
+  omp_set_num_threads(options.threads);
+  if (arguments.growth) return geodrop::run_growth(options);
+  if (options.steps > 0) return geodrop::run_steps(options);
+  if (arguments.instructions) return geodrop::run_instructions(options);
+  return options.against.empty() ? geodrop::run_bench(options) : geodrop::run_against(options);
+}
+
+/// What is measured instead of the table of speeds; one of them.
+void add_bench_modes(CLI::App& command, Arguments& arguments) {
+  auto* growth = command.add_flag("--growth", arguments.growth,
+                                  "cost against number of particles and size of the domain, on 1 and on all threads");
+  auto* against =
+      command.add_option("--against", arguments.bench.against,
+                         "exit with 1 if a benchmark is slower than with this program or commit, in pairs in "
+                         "turn on one thread (perf/README.md)");
+  auto* instructions =
+      command.add_flag("--instructions", arguments.instructions,
+                       "count instructions by valgrind; exit with 1 if a benchmark has over 1 % more than "
+                       "perf/instructions.csv says");
+  command.add_flag("--update", arguments.bench.update, "with --instructions: write that table")->needs(instructions);
+  auto* steps = command.add_option("--steps", arguments.bench.steps,
+                                   "make so many steps of each on one thread; prints lines for programs to read: name, "
+                                   "particles, steps, processor time [s]");
+  steps->check(geodrop::only_if<int>([](int n) { return n >= 1; }, "a whole number > 0"));
+  const std::array<CLI::Option*, 4> modes{growth, against, instructions, steps};
+  for (CLI::Option* mode : modes)
+    for (CLI::Option* other : modes)
+      if (mode != other) mode->excludes(other);
 }
 
 void add_bench_options(CLI::App& command, Arguments& arguments) {
-  command.add_flag("--quick", arguments.quick, "1e5 instead of 1e6 particles, fewer repeats");
+  geodrop::BenchOptions& bench = arguments.bench;
+  command.add_flag("--quick", bench.quick, "1e5 instead of 1e6 particles, fewer repeats");
   command.add_option("--threads", arguments.threads, "number of threads (default: all cores)")->check(thread_count());
   command.add_option("--output", arguments.output, "directory for bench.csv or growth.csv (default: runs/bench)");
-  command.add_option("--only", arguments.only, "only benchmarks whose name contains this");
-  command.add_option("--particles", arguments.particles, "particles of a block; with --growth, at most")
+  command.add_option("--only", bench.only, "only benchmarks whose name contains this; =NAME: only this one");
+  command.add_option("--particles", bench.particles, "particles of a block; with --growth, at most")
       ->check(geodrop::only_if<double>([](double n) { return n >= 1e3 && n <= 1e8; }, "a number from 1e3 to 1e8"));
-  command.add_option("--scene", arguments.bench_scene, "main case (default: cases/dump_kekerdom.toml)");
-  auto* growth = command.add_flag("--growth", arguments.growth,
-                                  "cost against number of particles and size of the domain, on 1 and on all threads");
-  command
-      .add_option("--check", arguments.ratios,
-                  "as --quick, on one thread unless --threads says otherwise, and exit with 1 if a benchmark lost more "
-                  "than 10 % against the ratios of this file (default: those of perf/results)")
-      ->expected(0, 1)
-      ->excludes(growth);
+  command.add_option("--scene", bench.scene, "main case (default: cases/dump_kekerdom.toml)");
+  add_bench_modes(command, arguments);
 }
 
 }  // namespace
@@ -238,7 +248,6 @@ int main(int argc, char** argv) {
     if (*run_command) return run(arguments);
     if (*check_command) return check(arguments);
     if (*stages_command) return stages(arguments);
-    arguments.compare = bench_command->count("--check") > 0;
     if (*bench_command) return bench(arguments);
     if (*geotube_command) return geodrop::run_geotube(geotube);
     if (*release_command) return geodrop::run_release(release);

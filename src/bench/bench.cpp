@@ -1,10 +1,9 @@
-// Runs the table of benchmarks: prints, writes bench.csv, compares with committed ratios.
+// Runs the table of benchmarks: prints, writes bench.csv.
 #include <geodrop/bench.hpp>
-#include <geodrop/scene_reader.hpp>
 
 #include "machine.hpp"
 #include "measure_speed.hpp"
-#include "ratio_check.hpp"
+#include "steps.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,7 +21,7 @@ struct Labels {
   std::string basis, material, transfer, pressure;
 };
 
-/// A benchmark that can be measured as often as wanted.
+/// A benchmark, and how to measure it.
 struct Candidate {
   Labels labels;
   std::function<SpeedMeasurement()> measure;
@@ -42,24 +41,8 @@ Labels labels_of(const Benchmark& bench) {
           name_of(bench.pressure)};
 }
 
-bool wanted(const BenchOptions& options, const std::string& name) {
-  return name.find(options.only) != std::string::npos;
-}
-
-void add_main_case(const BenchOptions& options, const Effort& effort, ReferenceKernels& reference,
-                   std::vector<Candidate>& candidates) {
-  const std::filesystem::path file = options.scene.empty() ? find_in_tree("cases/dump_kekerdom.toml") : options.scene;
-  if (file.empty()) {
-    std::printf(
-        "%s is left out: there is no cases/dump_kekerdom.toml above this program or this directory; give it by"
-        " --scene\n",
-        main_case_name);
-    return;
-  }
-  const Scene scene = read_scene(file.string());
-  candidates.push_back(
-      {{main_case_name, scene.dimension, name_of(scene.grid.basis), "mixed", name_of(scene.solver.transfer), "mixed"},
-       [=, &reference] { return measure_main_case(scene, effort, reference); }});
+Labels labels_of(const SceneBenchmark& bench, const Scene& scene) {
+  return {bench.name, scene.dimension, name_of(scene.grid.basis), "mixed", name_of(scene.solver.transfer), "mixed"};
 }
 
 std::vector<Candidate> candidates(const BenchOptions& options, ReferenceKernels& reference) {
@@ -68,9 +51,12 @@ std::vector<Candidate> candidates(const BenchOptions& options, ReferenceKernels&
   size.particles = options.particles > 0 ? options.particles : options.quick ? 1e5 : 1e6;
   std::vector<Candidate> all;
   for (const Benchmark& bench : all_benchmarks())
-    if (wanted(options, bench.name))
+    if (selected(options, bench.name))
       all.push_back({labels_of(bench), [=, &reference] { return measure_block(bench, size, effort, reference); }});
-  if (wanted(options, main_case_name)) add_main_case(options, effort, reference, all);
+  for (const SceneBenchmark& bench : scene_benchmarks())
+    if (selected(options, bench.name))
+      if (const std::optional<Scene> scene = scene_of(bench, options))
+        all.push_back({labels_of(bench, *scene), [=, &reference] { return measure_scene(*scene, effort, reference); }});
   return all;
 }
 
@@ -80,7 +66,8 @@ void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, 
   const std::string processor = processor_name();
   std::ofstream out(file);
   out << "name,dimension,basis,material,transfer,pressure,particles,threads,mpps,mpps_min,mpps_max,"
-         "ns_per_particle_step,bytes_per_particle,arithmetic_fraction,memory_fraction,ratio,flops_per_particle_step,"
+         "ns_per_particle_step,bytes_per_particle,arithmetic_fraction,memory_fraction,processor_ns,flops_per_particle_"
+         "step,"
          "bytes_per_particle_step,roof_gflops,roof_gbytes_s,processor";
   for (const std::string& stage : stages) out << ",ns_" << stage;
   out << '\n';
@@ -88,9 +75,9 @@ void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, 
     out << labels.name << ',' << labels.dimension << ',' << labels.basis << ',' << labels.material << ','
         << labels.transfer << ',' << labels.pressure << ',' << m.particles << ',' << threads << ',' << m.mpps() << ','
         << 1e3 / m.samples.back().ns << ',' << 1e3 / m.samples.front().ns << ',' << m.median().ns << ','
-        << m.bytes_per_particle << ',' << m.arithmetic_fraction() << ',' << m.memory_fraction() << ',' << m.ratio()
-        << ',' << m.work.flops << ',' << m.work.bytes << ',' << m.roofs.gflops << ',' << m.roofs.gbytes_s << ','
-        << processor;
+        << m.bytes_per_particle << ',' << m.arithmetic_fraction() << ',' << m.memory_fraction() << ','
+        << m.median().processor_ns << ',' << m.work.flops << ',' << m.work.bytes << ',' << m.roofs.gflops << ','
+        << m.roofs.gbytes_s << ',' << processor;
     for (const std::string& stage : stages) out << ',' << stage_ns(m.median(), stage);
     out << '\n';
   }
@@ -98,8 +85,8 @@ void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, 
 }
 
 void print_head() {
-  std::printf("%-28s %9s %7s %7s %7s %7s %6s %6s %6s  %s\n", "name", "particles", "mpps", "min", "max", "ns", "arith.",
-              "memory", "ratio", "slowest stage");
+  std::printf("%-28s %9s %7s %7s %7s %7s %6s %6s %7s  %s\n", "name", "particles", "mpps", "min", "max", "ns", "arith.",
+              "memory", "cpu", "slowest stage");
 }
 
 void print_row(const Row& row) {
@@ -107,9 +94,9 @@ void print_row(const Row& row) {
   const auto& stages = m.median().stages;
   const auto slowest = std::max_element(stages.begin(), stages.end(),
                                         [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
-  std::printf("%-28s %9zu %7.2f %7.2f %7.2f %7.2f %6.3f %6.3f %6.3f  %s %.0f %%\n", row.labels.name.c_str(),
+  std::printf("%-28s %9zu %7.2f %7.2f %7.2f %7.2f %6.3f %6.3f %7.2f  %s %.0f %%\n", row.labels.name.c_str(),
               m.particles, m.mpps(), 1e3 / m.samples.back().ns, 1e3 / m.samples.front().ns, m.median().ns,
-              m.arithmetic_fraction(), m.memory_fraction(), m.ratio(), slowest->name.c_str(),
+              m.arithmetic_fraction(), m.memory_fraction(), m.median().processor_ns, slowest->name.c_str(),
               100 * slowest->seconds / m.median().ns);
   std::fflush(stdout);
 }
@@ -129,61 +116,6 @@ void print_cost_of_averages(const std::vector<Row>& rows) {
   }
 }
 
-/// What the measured ratios are compared with.
-class Check {
- public:
-  explicit Check(const std::filesystem::path& given)
-      : file_(given.empty() ? choose_ratios(committed_ratio_files(), processor_name()) : given) {
-    if (file_.empty()) return;
-    ratios_ = read_ratios(file_);
-    const std::string here = processor_name(), there = ratios_.empty() ? here : ratios_.front().processor;
-    if (here != there) loss_ = allowed_loss_elsewhere;
-    std::printf("compared with %s; a loss of more than %.0f %% fails\n", file_.c_str(), 100 * loss_);
-    if (here != there)
-      std::printf("those ratios are of another processor (%s, here %s), hence the wide tolerance\n", there.c_str(),
-                  here.c_str());
-  }
-
-  /// Measures a benchmark, again if it seems to have lost speed; keeps the last measurement.
-  SpeedMeasurement judge(const Candidate& candidate, int threads) {
-    SpeedMeasurement m = candidate.measure();
-    const CommittedRatio* committed = find_ratio(ratios_, {candidate.labels.name, "", m.particles, threads, 0});
-    if (!committed) {
-      std::printf("%s: no committed ratio of %zu particles on %d threads: not judged\n", candidate.labels.name.c_str(),
-                  m.particles, threads);
-      return m;
-    }
-    ++judged_;
-    bool first = true;
-    const RatioVerdict verdict = judge_ratio(committed->ratio, loss_, [&] {
-      if (!first) m = candidate.measure();
-      first = false;
-      return m.ratio();
-    });
-    if (verdict.tries > 1 || verdict.lost)
-      std::printf("%s: ratio %.3f, committed %.3f, %d tries: %s\n", candidate.labels.name.c_str(), verdict.best,
-                  committed->ratio, verdict.tries, verdict.lost ? "LOST SPEED" : "good");
-    lost_ += verdict.lost;
-    return m;
-  }
-
-  int exit_code() const {
-    if (judged_ == 0) {
-      std::printf("nothing was compared: %s\n",
-                  file_.empty() ? "there is no perf/results/*/ratios.csv" : "no committed ratio fits");
-      return 2;
-    }
-    std::printf("%d of %d benchmarks kept their speed\n", judged_ - lost_, judged_);
-    return lost_ ? 1 : 0;
-  }
-
- private:
-  std::filesystem::path file_;
-  std::vector<CommittedRatio> ratios_;
-  double loss_ = allowed_loss;
-  int judged_ = 0, lost_ = 0;
-};
-
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
@@ -194,19 +126,17 @@ int run_bench(const BenchOptions& options) {
     std::printf("no benchmark is called '%s'\n", options.only.c_str());
     return 2;
   }
-  std::optional<Check> check;
-  if (options.check) check.emplace(*options.check);
-  const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()}).wall;
+  const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()});
   std::printf("roofs on %d threads: %.1f Gflop/s, %.1f Gbyte/s\n", options.threads, roofs.gflops, roofs.gbytes_s);
   print_head();
   std::vector<Row> rows;
   for (const Candidate& candidate : table) {
-    rows.push_back({candidate.labels, check ? check->judge(candidate, options.threads) : candidate.measure()});
+    rows.push_back({candidate.labels, candidate.measure()});
     print_row(rows.back());
   }
   print_cost_of_averages(rows);
   write_csv(options.directory / "bench.csv", rows, options.threads);
-  return check ? check->exit_code() : 0;
+  return 0;
 }
 
 }  // namespace geodrop

@@ -104,6 +104,15 @@ std::vector<Benchmark> all_benchmarks() {
   return all;
 }
 
+std::vector<SceneBenchmark> scene_benchmarks() {
+  const std::string main_case = "cases/dump_kekerdom.toml";
+  return {{"main_case", main_case, {}},
+          {"main_case_coarse", main_case, {"grid.spacing=0.5"}},
+          {"geotube", "cases/geotube_556.toml", {}},
+          {"two_containers", "cases/two_containers.toml", {}},
+          {"bed_3d", "cases/k0_bed_3d.toml", {}}};
+}
+
 Scene block_scene(const Benchmark& bench, const BlockSize& size) {
   constexpr int margin = 8;  // cells
   constexpr int per_cell_axis = 2;

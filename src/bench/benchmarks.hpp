@@ -30,8 +30,14 @@ struct Benchmark : WorkKind {
 /// Every (dimension, basis, material) that ships, and the options that change the cost of a step.
 std::vector<Benchmark> all_benchmarks();
 
-/// The main case is a scene file, not a block.
-inline constexpr const char* main_case_name = "main_case";
+/// A benchmark that is a scene file of the source tree, not a block.
+struct SceneBenchmark {
+  std::string name, file;
+  std::vector<std::string> overrides;
+};
+/// The main case first, which --scene may replace; then its coarse grid, enclosed fluid in a membrane in contact
+/// with the ground, two membranes in water, soil in 3D.
+std::vector<SceneBenchmark> scene_benchmarks();
 
 /// As scene files name them.
 std::string name_of(Basis basis);

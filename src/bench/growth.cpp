@@ -2,7 +2,7 @@
 #include <geodrop/bench.hpp>
 
 #include "machine.hpp"
-#include "measure_speed.hpp"
+#include "steps.hpp"
 
 #include <omp.h>
 
@@ -44,14 +44,14 @@ struct GrowthRow {
 class GrowthTable {
  public:
   explicit GrowthTable(std::filesystem::path file) : file_(std::move(file)) {
-    std::printf("%-10s %-24s %7s %7s %9s %10s %8s %8s %6s\n", "kind", "name", "threads", "domain", "particles", "nodes",
-                "ns", "best", "ratio");
+    std::printf("%-10s %-24s %7s %7s %9s %10s %8s %8s %8s\n", "kind", "name", "threads", "domain", "particles", "nodes",
+                "ns", "best", "cpu");
   }
 
   void add(GrowthRow row) {
     const SpeedMeasurement& m = row.speed;
-    std::printf("%-10s %-24s %7d %7g %9zu %10zu %8.2f %8.2f %6.3f\n", row.kind, row.bench.name.c_str(), row.threads,
-                row.factor, m.particles, m.nodes, m.median().ns, m.samples.front().ns, m.ratio());
+    std::printf("%-10s %-24s %7d %7g %9zu %10zu %8.2f %8.2f %8.2f\n", row.kind, row.bench.name.c_str(), row.threads,
+                row.factor, m.particles, m.nodes, m.median().ns, m.samples.front().ns, m.median().processor_ns);
     std::fflush(stdout);
     add_stage_names(m, stages_);
     rows_.push_back(std::move(row));
@@ -62,14 +62,14 @@ class GrowthTable {
   void write() const {
     std::ofstream out(file_);
     out << "kind,name,dimension,basis,material,pressure,threads,domain_factor,particles,nodes,active_blocks,mpps,"
-           "ns_per_particle_step,ns_best,ratio,processor";
+           "ns_per_particle_step,ns_best,processor_ns,processor";
     for (const std::string& stage : stages_) out << ",ns_" << stage;
     out << '\n';
     for (const auto& [kind, bench, factor, threads, m] : rows_) {
       out << kind << ',' << bench.name << ',' << bench.dimension << ',' << name_of(bench.basis) << ','
           << name_of(bench.material) << ',' << name_of(bench.pressure) << ',' << threads << ',' << factor << ','
           << m.particles << ',' << m.nodes << ',' << m.active_blocks << ',' << m.mpps() << ',' << m.median().ns << ','
-          << m.samples.front().ns << ',' << m.ratio() << ',' << processor_name();
+          << m.samples.front().ns << ',' << m.median().processor_ns << ',' << processor_name();
       for (const std::string& stage : stages_) out << ',' << stage_ns(m.median(), stage);
       out << '\n';
     }
@@ -106,7 +106,7 @@ int run_growth(const BenchOptions& options) {
     omp_set_num_threads(threads);
     ReferenceKernels reference(threads);
     for (const Benchmark& bench : all_benchmarks()) {
-      if (!grows(bench) || bench.name.find(options.only) == std::string::npos) continue;
+      if (!grows(bench) || !selected(options, bench.name)) continue;
       for (const double particles : particle_counts)
         if (particles <= most) measure_size(table, "particles", bench, {particles, 1}, reference, threads);
       for (const double factor : domain_factors)

@@ -25,6 +25,15 @@ std::string processor_name() {
   return name.empty() ? "unknown" : name;
 }
 
+const char* kernel_instruction_set() {
+#ifdef GEODROP_NO_CLONES
+  return "one instruction set";
+#else
+  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
+#endif
+}
+
 double available_memory() {
   constexpr double kibibyte = 1024;
   const std::string text = proc_entry("/proc/meminfo", "MemAvailable");
@@ -40,15 +49,6 @@ std::filesystem::path find_in_tree(const std::filesystem::path& relative) {
       if (start == start.parent_path()) break;
     }
   return {};
-}
-
-std::vector<std::filesystem::path> committed_ratio_files() {
-  std::vector<std::filesystem::path> files;
-  const std::filesystem::path results = find_in_tree("perf/results");
-  if (results.empty()) return files;
-  for (const auto& machine : std::filesystem::directory_iterator(results))
-    if (std::filesystem::exists(machine.path() / "ratios.csv")) files.push_back(machine.path() / "ratios.csv");
-  return files;
 }
 
 }  // namespace geodrop

@@ -3,12 +3,14 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace geodrop {
 
 /// Model of the processor, without commas.
 std::string processor_name();
+
+/// The clone of the kernels that this machine chose, see kernels/chunk.hpp.
+const char* kernel_instruction_set();
 
 /// Memory that is free for use now [byte].
 double available_memory();
@@ -16,8 +18,5 @@ double available_memory();
 /// A file or directory of the source tree, found from the program (build/<preset>/geodrop) or from the current
 /// directory upwards; empty if there is none.
 std::filesystem::path find_in_tree(const std::filesystem::path& relative);
-
-/// The committed ratios, one file a machine: perf/results/<machine>/ratios.csv.
-std::vector<std::filesystem::path> committed_ratio_files();
 
 }  // namespace geodrop

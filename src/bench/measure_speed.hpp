@@ -13,14 +13,14 @@ namespace geodrop {
 struct TimedSteps {
   std::size_t particles = 0;
   int steps = 0;
-  double wall_seconds = 0, judged_seconds = 0;
+  double wall_seconds = 0, processor_seconds = 0;
   std::vector<StageTime> stages;
 };
 
 /// One timed stretch of steps; all times in ns per particle-step, wall time of all threads together.
 struct SpeedSample {
   double ns = 0;
-  double judged_ns = 0;  ///< that ratios are made of, see stopwatch.hpp
+  double processor_ns = 0;  ///< processor time, the sum over the threads
   int steps = 0;
   std::vector<StageTime> stages;  ///< `seconds` holds ns per particle-step here, too
 };
@@ -31,16 +31,13 @@ struct SpeedMeasurement {
   std::size_t particles = 0, nodes = 0, active_blocks = 0;
   double bytes_per_particle = 0;     ///< resident particle data [byte]
   WorkCount work;                    ///< of a particle-step
-  MachineRoofs roofs, judged_roofs;  ///< best of the samples taken in turn
+  MachineRoofs roofs;                ///< best of the samples taken in turn
   std::vector<SpeedSample> samples;  ///< fastest first
 
   const SpeedSample& median() const { return samples[samples.size() / 2]; }
   double mpps() const { return 1e3 / median().ns; }
   double arithmetic_fraction() const { return work.flops / roofs.gflops / median().ns; }
   double memory_fraction() const { return work.bytes / roofs.gbytes_s / median().ns; }
-  /// Time that the reference kernels need for the same work, arithmetic and memory one after the other, over the time
-  /// taken. From the best of each, because disturbances only ever slow down.
-  double ratio() const;
 };
 
 /// Appends the stages that are not among `names` yet.
@@ -58,7 +55,21 @@ struct Effort {
 SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Effort& effort,
                                ReferenceKernels& reference);
 
-/// The scene of the main case, in stretches of 100 steps after its first 600, in which the container starts to fall.
-SpeedMeasurement measure_main_case(const Scene& scene, const Effort& effort, ReferenceKernels& reference);
+/// A scene in stretches of 100 steps after its first 600, in which the container of the main case starts to fall.
+SpeedMeasurement measure_scene(const Scene& scene, const Effort& effort, ReferenceKernels& reference);
+
+/// What a fixed number of steps took on one thread, and nothing around them.
+struct StepTime {
+  std::string name;
+  std::size_t particles = 0;
+  int steps = 0;
+  double seconds = 0;  ///< of processor time, had all stretches of 16 steps been as fast as the fastest
+};
+
+/// The block is set in motion again every 16 steps, so that it stays clear of the walls; the first of them sorts.
+StepTime time_block(const Benchmark& bench, const BlockSize& size, int steps);
+
+/// After eight steps, in which contacts are found and memory is touched.
+StepTime time_scene(const std::string& name, const Scene& scene, int steps);
 
 }  // namespace geodrop

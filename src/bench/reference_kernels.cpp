@@ -36,37 +36,31 @@ constexpr std::ptrdiff_t triad_size = 1 << 23;  // 64 MiB an array, twice the la
 ReferenceKernels::ReferenceKernels(int threads)
     : threads_(threads), a_(triad_size, 0.0), b_(triad_size, 1.0), c_(triad_size, 2.0) {}
 
-ReferenceSample ReferenceKernels::sample() {
+MachineRoofs ReferenceKernels::sample() {
   constexpr long rounds = 4'000'000;
   constexpr double flops_per_round = chains * 4 * 2;
-  ReferenceSample sample;
+  MachineRoofs roofs;
   double sink = 0;
-  const Stopwatch arithmetic(threads_);
+  const Stopwatch arithmetic;
 #pragma omp parallel for num_threads(threads_) reduction(+ : sink)
   for (int t = 0; t < threads_; ++t) sink += multiply_add(rounds + (t & 1));
   const double gflop = sink == 0 ? 0 : 1e-9 * flops_per_round * rounds * threads_;
-  sample.wall.gflops = gflop / arithmetic.wall_seconds();
-  sample.judged.gflops = gflop / arithmetic.judged_seconds();
+  roofs.gflops = gflop / arithmetic.wall_seconds();
 
   const std::ptrdiff_t share = triad_size / threads_;
-  const Stopwatch memory(threads_);
+  const Stopwatch memory;
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (int t = 0; t < threads_; ++t) triad(a_.data() + t * share, b_.data() + t * share, c_.data() + t * share, share);
   const double gbyte = 1e-9 * 3 * sizeof(double) * static_cast<double>(share) * threads_;
-  sample.wall.gbytes_s = gbyte / memory.wall_seconds();
-  sample.judged.gbytes_s = gbyte / memory.judged_seconds();
-  return sample;
+  roofs.gbytes_s = gbyte / memory.wall_seconds();
+  return roofs;
 }
 
-ReferenceSample best_of(const std::vector<ReferenceSample>& samples) {
-  ReferenceSample best;
-  const auto keep_better = [](MachineRoofs& kept, const MachineRoofs& roofs) {
-    kept.gflops = std::max(kept.gflops, roofs.gflops);
-    kept.gbytes_s = std::max(kept.gbytes_s, roofs.gbytes_s);
-  };
-  for (const ReferenceSample& sample : samples) {
-    keep_better(best.wall, sample.wall);
-    keep_better(best.judged, sample.judged);
+MachineRoofs best_of(const std::vector<MachineRoofs>& samples) {
+  MachineRoofs best;
+  for (const MachineRoofs& roofs : samples) {
+    best.gflops = std::max(best.gflops, roofs.gflops);
+    best.gbytes_s = std::max(best.gbytes_s, roofs.gbytes_s);
   }
   return best;
 }

@@ -13,17 +13,12 @@ struct MachineRoofs {
   double gbytes_s = 0;  ///< a = b + s c on arrays far larger than the caches, 3 x 8 bytes each [1e9 byte/s]
 };
 
-/// By the wall clock, and by the time that ratios are made of (stopwatch.hpp).
-struct ReferenceSample {
-  MachineRoofs wall, judged;
-};
-
 /// Samples of some 10 ms each, to be taken between those of a benchmark: another process that takes a core for a while
 /// then slows both.
 class ReferenceKernels {
  public:
   explicit ReferenceKernels(int threads);
-  ReferenceSample sample();
+  MachineRoofs sample();
   int threads() const { return threads_; }
 
  private:
@@ -32,6 +27,6 @@ class ReferenceKernels {
 };
 
 /// The best of some samples.
-ReferenceSample best_of(const std::vector<ReferenceSample>& samples);
+MachineRoofs best_of(const std::vector<MachineRoofs>& samples);
 
 }  // namespace geodrop

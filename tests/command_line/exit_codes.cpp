@@ -37,7 +37,9 @@ TEST_CASE("Mistakes of usage end with 2 and one message on stderr") {
   check_usage({"run", scene, "--threads", "100000"}, "found 100000; allowed: a whole number from 1 to 1024");
   check_usage({"bench", "--threads", "100000"}, "found 100000; allowed: a whole number from 1 to 1024");
   check_usage({"bench", "--particles", "10"}, "found 10; allowed: a number from 1e3 to 1e8");
-  check_usage({"bench", "--check", "--growth"}, "--growth");
+  check_usage({"bench", "--steps", "3", "--growth"}, "--growth");
+  check_usage({"bench", "--steps", "0"}, "--steps: found 0; allowed: a whole number > 0");
+  check_usage({"bench", "--update"}, "--instructions");
   check_usage({"run", scene, "--until", "0"}, "--until: found 0; allowed: a time > 0 [s]");
 }
 
@@ -52,15 +54,13 @@ TEST_CASE("A scene that is not there, or a key that does not exist, ends with 2 
   CHECK_FALSE(std::filesystem::exists(output));
 }
 
-TEST_CASE("A benchmark, a main case or ratios that are not there end with 2") {
+TEST_CASE("A benchmark or a main case that is not there ends with 2") {
   const geodrop::TemporaryDirectory directory;
   const std::string output = directory / "bench";
   const Outcome unknown = run_program({"bench", "--only", "honey", "--output", output});
   CHECK(unknown.code == 2);
   CHECK(contains(unknown.out, "no benchmark is called 'honey'"));
   check_usage({"bench", "--only", "main_case", "--scene", "no_such_scene.toml", "--output", output}, "no_such_scene");
-  check_usage({"bench", "--only", "water_2d_linear", "--check", "no_such_ratios.csv", "--output", output},
-              "no_such_ratios.csv: --check: found no such file");
 }
 
 TEST_CASE("A directory that holds other things than a run is not touched") {

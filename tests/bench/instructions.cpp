@@ -1,0 +1,90 @@
+// The table of instruction counts: planted changes, files, what callgrind writes. Nothing is counted here.
+#include "bench/instructions.hpp"
+
+#include <geodrop/error.hpp>
+
+#include <fstream>
+
+#include "support/near.hpp"
+#include "support/scene_files.hpp"
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+const std::string build = "g++ 12.2.0 x86-64-v3";
+const std::string head = "name,build,particles,steps,instructions\n";
+
+InstructionCount water(double instructions) { return {"water_2d", build, 1936, 16, instructions}; }
+
+InstructionVerdict compare(const InstructionCount& counted, const InstructionCount& committed) {
+  return compare_instructions({counted}, {committed}).front();
+}
+
+std::filesystem::path write(const TemporaryDirectory& directory, const std::string& text) {
+  std::ofstream(directory / "instructions.csv") << text;
+  return directory / "instructions.csv";
+}
+
+}  // namespace
+
+TEST_CASE("Two percent more instructions are more, 0.9 percent are not") {
+  CHECK(compare(water(408), water(400)).more());
+  CHECK(compare(water(408), water(400)).change() == near(0.02, 1e-12));
+  CHECK_FALSE(compare(water(403.6), water(400)).more());
+  CHECK_FALSE(compare(water(403.6), water(400)).fewer());
+}
+
+TEST_CASE("Two percent fewer instructions are said, and are no failure") {
+  CHECK(compare(water(392), water(400)).fewer());
+  CHECK_FALSE(compare(water(392), water(400)).more());
+}
+
+TEST_CASE("What is no number is more") { CHECK(compare(water(std::nan("")), water(400)).more()); }
+
+TEST_CASE("Counts of another build, size or number of steps are not compared") {
+  for (const InstructionCount& other : {InstructionCount{"water_2d", "g++ 13.1.0 x86-64-v3", 1936, 16, 400},
+                                        {"water_3d", build, 1936, 16, 400},
+                                        {"water_2d", build, 1937, 16, 400},
+                                        {"water_2d", build, 1936, 17, 400}}) {
+    const InstructionVerdict verdict = compare(water(800), other);
+    CHECK_FALSE(verdict.committed);
+    CHECK_FALSE(verdict.more());
+  }
+}
+
+TEST_CASE("An update replaces its own rows and keeps those of other builds") {
+  const InstructionCount other{"water_2d", "g++ 13.1.0 x86-64-v3", 1936, 16, 390},
+      soil{"soil_2d", build, 1936, 16, 500};
+  const std::vector<InstructionCount> merged = merge_instructions({water(400), other}, {water(420), soil});
+  REQUIRE(merged.size() == 3);
+  CHECK(merged[0].per_particle_step == 420);
+  CHECK(merged[1].per_particle_step == 390);
+  CHECK(merged[2].name == "soil_2d");
+}
+
+TEST_CASE("A table is read as it was written; none is empty") {
+  const TemporaryDirectory directory;
+  CHECK(read_instructions(directory / "absent.csv").empty());
+  write_instructions(directory / "instructions.csv", {water(401.25)});
+  const std::vector<InstructionCount> rows = read_instructions(directory / "instructions.csv");
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].same_work(water(1)));
+  CHECK(rows[0].per_particle_step == 401.25);
+}
+
+TEST_CASE("A broken table is refused with file and line") {
+  const TemporaryDirectory directory;
+  CHECK_THROWS_WITH(read_instructions(write(directory, "name,count\n")),
+                    doctest::Contains("instructions.csv:1:1: --instructions: found name,count"));
+  for (const char* row : {"water,A,1000,1", "water,A,many,1,400", "water,A,1000,1,0", "water,A,1000,1,nan"})
+    CHECK_THROWS_WITH(read_instructions(write(directory, head + "water,A,1,1,1\n" + row + "\n")),
+                      doctest::Contains("instructions.csv:3:1: --instructions: found water"));
+}
+
+TEST_CASE("The total of a dump of callgrind") {
+  CHECK(callgrind_total("version: 1\nevents: Ir\n\nfn=(1)\n1 5\n\ntotals: 12345678901\n") == 12345678901.0);
+  CHECK(callgrind_total("version: 1\nevents: Ir\nsummary: 77\n\nfn=(1)\n") == 77);
+  CHECK_THROWS_WITH(callgrind_total("version: 1\n"), "callgrind wrote no total");
+}
