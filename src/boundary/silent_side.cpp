@@ -124,6 +124,7 @@ SilentSide make_silent_side(const Scene& scene, const SilentSideSpec& spec) {
 
 template <>
 void fade_at_silent_sides(const GridLayout<2>& layout, double dt, State<2>& state) {
+  if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
   for (SilentSide& side : state.silent_sides) {
     Body<2>& body = find_named(state.bodies, side.body);
     if (body.field == waiting) continue;

@@ -2,15 +2,31 @@
 
 #include "output/text.hpp"
 
+#include <geodrop/error.hpp>
+
 #include <cmath>
 
 namespace geodrop {
+namespace {
+
+/// Inputs near the ends of the range of numbers give results beyond them.
+[[noreturn]] void refuse(const ListedNumber& result) {
+  throw SceneError("geodrop", {{{},
+                                result.name,
+                                "a result beyond the range of numbers",
+                                "inputs of sizes that occur",
+                                ProblemSource::elsewhere}});
+}
+
+}  // namespace
 
 std::vector<std::vector<std::string>> result_lines(const ResultList& results) {
   constexpr int digits = 10;
   std::vector<std::vector<std::string>> lines;
-  for (const ListedNumber& result : results)
+  for (const ListedNumber& result : results) {
+    if (!std::isfinite(result.value)) refuse(result);
     lines.push_back({result.name, format_number(result.value, digits), result.unit});
+  }
   return lines;
 }
 
@@ -23,8 +39,10 @@ std::string row_table(const std::vector<ResultList>& rows, const std::string& no
   }
   for (const ResultList& row : rows) {
     lines.emplace_back();
-    for (const ListedNumber& result : row)
+    for (const ListedNumber& result : row) {
+      if (std::isinf(result.value)) refuse(result);
       lines.back().push_back(std::isnan(result.value) ? no_number : format_number(result.value, digits));
+    }
   }
   return format_table(lines, std::string(lines[0].size(), 'r'));
 }

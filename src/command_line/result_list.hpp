@@ -14,7 +14,8 @@ struct ListedNumber {
 
 using ResultList = std::vector<ListedNumber>;
 
-/// Name, value and unit, a line each.
+/// Name, value and unit, a line each. Throws SceneError, as row_table does, if a value is infinite; here also if it is
+/// NaN.
 std::vector<std::vector<std::string>> result_lines(const ResultList& results);
 
 /// A header of names, one of units and a line for each list; all have the names of the first. `no_number` stands where

@@ -89,6 +89,7 @@ void keep_body(const Grid<2>& grid, const NearEdges& edges, bool inside, Body<2>
 
 template <>
 void keep_sides(State<2>& state, const Grids<2>& grids) {
+  if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
   for (const Membrane<2>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
     const NearEdges edges(grids.front().layout, membrane, grids[membrane.field].outline);

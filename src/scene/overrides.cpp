@@ -128,7 +128,7 @@ void apply_overrides(toml::table& scene, const std::vector<std::string>& overrid
       if (equals == std::string::npos) throw OverrideError{'"' + text + '"', "KEY=VALUE, e.g. grid.spacing=0.125"};
       apply(scene, key, trim(text.substr(equals + 1)));
     } catch (const OverrideError& error) {
-      report.add_at({}, key.empty() ? text : key, error.found, error.allowed);
+      report.add_at({}, !key.empty() ? key : text.empty() ? "\"\"" : text, error.found, error.allowed);
     }
   }
 }
