@@ -24,7 +24,7 @@ class Counter {
   void bytes(const T*, std::size_t count) {
     total_ += count * sizeof(T);
   }
-  std::size_t length(std::size_t present) {
+  std::size_t length(std::size_t present, std::size_t = 0) {
     total_ += sizeof(present);
     return present;
   }

@@ -69,6 +69,7 @@ struct Output<Dim>::Parts {
     progress = Progress(end_of_run(scene, options), state.particles());
     progress.begin(state.t, state.step);
     checkpoints_due.pass(state.t);
+    write_file_atomically(directory / "scene.toml", scene.as_run);
     history_file.emplace(directory / "history.csv", history);
     write_summary(state, RunStatistics{RunStatus::running, "", 0, 0, {}, {}}, {});
   }
@@ -125,7 +126,6 @@ Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std:
   if (options.end > scene.time.end)
     parts_->warn("warning: --until " + format_number(options.end, time_digits) +
                  " is beyond time.end; the run ends at t = " + format_number(scene.time.end, time_digits) + " s");
-  write_file_atomically(directory() / "scene.toml", scene.as_run);
 }
 
 template <int Dim>
