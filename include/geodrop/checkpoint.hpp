@@ -26,8 +26,7 @@ struct Checkpoint {
 /// XXH3 of the scene as run; a checkpoint belongs to exactly one.
 std::uint64_t scene_hash(const Scene& scene);
 
-/// XXH3 over every value of the state in storage order, as 16 hex digits. Comparable on one machine and one binary
-/// path only: fused multiply-add differs between instruction sets.
+/// XXH3 over every value of the state in storage order, as 16 hex digits. docs/reproducibility.md: what it depends on.
 template <int Dim>
 std::string state_hash(const State<Dim>& state);
 

@@ -20,6 +20,7 @@
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ inline constexpr int exit_stopped = 75;
 /// Where a run tells of itself: run.log always.
 enum class Telling { terminal, log_only };
 
+/// Steps first to last, counted from 0.
+struct StepWindow {
+  std::uint64_t first = 0, last = 0;
+};
+
 struct RunOptions {
   std::filesystem::path directory;  ///< empty: runs/<name of the scene file>
   int threads = 1;
@@ -38,6 +44,7 @@ struct RunOptions {
   double end = 0;              ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
   std::string resume_command;  ///< how to go on, shown when the run was stopped
   Telling telling = Telling::terminal;
+  std::optional<StepWindow> parts;  ///< of which a hash after each stage is written to parts.csv
 };
 
 /// How a run ended.

@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "frame_writer.hpp"
 #include "geotube_probe.hpp"
+#include "hash_file.hpp"
 #include "mach_numbers.hpp"
 #include "membrane_peaks.hpp"
 #include "run_directory.hpp"
@@ -130,6 +131,7 @@ struct Output<Dim>::Parts {
     for (const double t : frames.times()) frames_due.pass(t);
     for (const std::vector<double>& row : history.rows) rows_due.pass(row.front());
     history_file.emplace(directory / "history.csv", history);
+    hash_file.emplace(directory / hashes_name, history.rows.empty() ? -1.0 : history.rows.back().front());
   }
   bool has_frame(double t) const { return !frames.times().empty() && frames.times().back() == t; }
   bool has_row(double t) const { return !history.rows.empty() && history.rows.back().front() == t; }
@@ -144,6 +146,7 @@ struct Output<Dim>::Parts {
   Schedule rows_due, frames_due;
   HistoryTable history;
   std::optional<HistoryFile> history_file;
+  std::optional<HashFile> hash_file;
   FrameWriter frames;
   std::size_t particles = 0;
 };
@@ -201,6 +204,7 @@ template <int Dim>
 void Output<Dim>::write_history(Frame<Dim> frame) {
   parts_->history.rows.push_back(history_row(parts_->scene, *frame, parts_->history));
   parts_->history_file->append(parts_->history.rows.back());
+  parts_->hash_file->append({frame->t, frame->step, state_hash(*frame)});
   parts_->rows_due.pass(frame->t);
   for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) log(warning);
 }

@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array run_files = {"run.log",       "scene.toml",    "history.csv", "summary.json", "checkpoint.bin",
-                                  "particles.pvd", "membranes.pvd", "rigid.pvd",   "history.svg",  "history.png"};
+constexpr std::array run_files = {"run.log",       "scene.toml",   "history.csv",    "hashes.csv",
+                                  "parts.csv",     "summary.json", "checkpoint.bin", "particles.pvd",
+                                  "membranes.pvd", "rigid.pvd",    "history.svg",    "history.png"};
 
 /// Number of a frame from its file name; empty if it is not a frame's.
 std::optional<std::size_t> frame_number(std::string_view name) {

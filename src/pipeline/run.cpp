@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "parts.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -53,6 +55,7 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   if (options.resume) state = output.resume();
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
+  if (options.parts) record_parts(*options.parts, output.directory() / parts_name, pipeline);
   catch_stop_signals();
   if (!options.resume) output.start(Frame<Dim>(state));
 
