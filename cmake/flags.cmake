@@ -11,19 +11,29 @@ if(GEODROP_WERROR)
   target_compile_options(geodrop_flags INTERFACE -Werror)
 endif()
 
-# Not -ffast-math: it reorders sums, and would fold away the checks for NaN.
-set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG -fno-math-errno -fno-trapping-math")
+# Not -ffast-math: it reorders sums, and would fold away the checks for NaN. No fused multiply-adds but those that the
+# source asks for: the bits of a run then depend neither on the compiler nor on the processor (docs/reproducibility.md).
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG -fno-math-errno -fno-trapping-math -ffp-contract=off")
+set(CMAKE_CXX_FLAGS_DEBUG "-g -ffp-contract=off")
 
-# Kernels are compiled for AVX2 and FMA as well and chosen at start (target_clones); this is the least they need.
+# Kernels are compiled for AVX2 and AVX-512 as well and chosen at start (src/kernels/levels.hpp); this is the least they
+# need. In builds of one level the kernels alone are for GEODROP_MARCH: other code gains nothing from it.
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(geodrop_flags INTERFACE -march=x86-64-v2)
-else()
-  target_compile_definitions(geodrop_flags INTERFACE GEODROP_NO_CLONES)
+endif()
+# g++ -O0 and -O1 and Clang do not inline a whole kernel into each level.
+if(GEODROP_MARCH OR GEODROP_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug"
+   OR NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_definitions(geodrop_flags INTERFACE GEODROP_ONE_LEVEL)
+endif()
+if(GEODROP_MARCH)
+  file(GLOB kernel_sources "${PROJECT_SOURCE_DIR}/src/kernels/*.cpp")
+  # GCC 12 with AVX takes a node record that is filled lane by lane for uninitialised.
+  set_source_files_properties(${kernel_sources} PROPERTIES COMPILE_OPTIONS
+                              "-march=${GEODROP_MARCH};$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
 endif()
 
-# The choice of a clone runs before the sanitizers are ready, hence no clones.
 if(GEODROP_SANITIZE)
-  target_compile_definitions(geodrop_flags INTERFACE GEODROP_NO_CLONES)
   target_compile_options(geodrop_flags INTERFACE -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined
                          -fno-sanitize-recover=all)
   target_link_options(geodrop_flags INTERFACE -fsanitize=address,undefined)

@@ -12,7 +12,9 @@
 #include "command_line/only_if.hpp"
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
+#include "command_line/replay.hpp"
 #include "command_line/verify.hpp"
+#include "kernels/levels.hpp"
 #include "output/build_identity.hpp"
 #include "output/shell_command.hpp"
 
@@ -22,11 +24,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 
 namespace {
 
@@ -42,6 +46,7 @@ struct Arguments {
   bool resume = false;
   bool overwrite = false;
   bool verify = false;
+  std::string parts;
   bool growth = false;
   bool instructions = false;
   geodrop::BenchOptions bench;
@@ -64,6 +69,22 @@ std::vector<std::string> typed_command(int argc, char** argv) {
 
 CLI::Validator positive_time() {
   return geodrop::only_if<double>([](double t) { return t > 0; }, "a time > 0 [s]");
+}
+
+/// "FIRST:LAST" as two whole numbers in order; empty if it is anything else.
+std::optional<geodrop::StepWindow> step_window(const std::string& text) {
+  geodrop::StepWindow window;
+  const char* const end = text.data() + text.size();
+  const auto [colon, first] = std::from_chars(text.data(), end, window.first);
+  if (first != std::errc() || colon == end || *colon != ':') return std::nullopt;
+  const auto [after, last] = std::from_chars(colon + 1, end, window.last);
+  if (last != std::errc() || after != end || window.last < window.first) return std::nullopt;
+  return window;
+}
+
+CLI::Validator steps() {
+  return geodrop::only_if<std::string>([](const std::string& text) { return step_window(text).has_value(); },
+                                       "FIRST:LAST, two steps");
 }
 
 /// Far above what pays on any machine, far below what the system refuses, which would end the program without a word.
@@ -107,6 +128,7 @@ int run(const Arguments& arguments) {
   options.earlier = arguments.overwrite ? geodrop::EarlierRun::overwrite : geodrop::EarlierRun::move_aside;
   options.command = geodrop::shell_command(arguments.command);
   options.resume_command = geodrop::resume_command(arguments.command);
+  options.parts = step_window(arguments.parts);
   omp_set_num_threads(options.threads);
   return geodrop::run_scene(geodrop::read_scene(arguments.scene, arguments.overrides), options, arguments.verify);
 }
@@ -133,7 +155,7 @@ int stages(const Arguments& arguments) {
 int info(const Arguments& arguments) {
   const geodrop::BuildIdentity build = geodrop::this_build();
   std::cout << "geodrop " << build.version << ", " << build.compiler << ", " << omp_get_num_procs()
-            << " cores, kernels for " << build.processor << '\n';
+            << " cores, kernels for " << geodrop::kernel_level_name() << ", sums " << build.sums << '\n';
   if (arguments.scene.empty()) return 0;
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
   for (const geodrop::Fact& fact : geodrop::scene_facts(scene))
@@ -214,6 +236,10 @@ int main(int argc, char** argv) {
                  "replace an earlier run in the run directory (default: it becomes NAME.1, NAME.2, ...)")
       ->excludes(resume);
   run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
+  run_command
+      ->add_option("--record-parts", arguments.parts,
+                   "write a hash after each stage of the steps FIRST:LAST to parts.csv, for replay")
+      ->check(steps());
   auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
   add_scene(*check_command, arguments);
   auto* stages_command = app.add_subcommand("stages", "print the stages of a step of this scene");
@@ -238,6 +264,12 @@ int main(int argc, char** argv) {
   geodrop::add_verify_options(*verify_command, verify);
   verify_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
       ->check(thread_count());
+  auto* replay_command = app.add_subcommand(
+      "replay", "make a run again and say where its states differ from the recorded hashes; exit 1 if they do");
+  geodrop::ReplayArguments replay;
+  geodrop::add_replay_options(*replay_command, replay);
+  replay_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
+      ->check(thread_count());
   auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
   geodrop::PlotArguments plot;
   geodrop::add_plot_options(*plot_command, plot);
@@ -253,6 +285,10 @@ int main(int argc, char** argv) {
     if (*release_command) return geodrop::run_release(release);
     if (*fall_command) return geodrop::run_fall(fall);
     if (*plot_command) return geodrop::run_plot(plot);
+    if (*replay_command) {
+      omp_set_num_threads(choose_threads(arguments.threads));
+      return geodrop::run_replay(replay);
+    }
     if (*verify_command) {
       const int threads = choose_threads(arguments.threads);
       omp_set_num_threads(threads);

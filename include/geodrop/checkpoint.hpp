@@ -24,8 +24,7 @@ struct Checkpoint {
   std::string warning;  ///< why a resumed run may differ in its last bits, one line; empty: it does not
 };
 
-/// XXH3 over every value of the state in storage order, as 16 hex digits. Comparable on one machine and one binary
-/// path only: fused multiply-add differs between instruction sets.
+/// XXH3 over every value of the state in storage order, as 16 hex digits. docs/reproducibility.md: what it depends on.
 template <int Dim>
 std::string state_hash(const State<Dim>& state);
 

@@ -24,6 +24,7 @@
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,11 @@ enum class EarlierRun { move_aside, overwrite };
 /// Where a run tells of itself: run.log always.
 enum class Telling { terminal, log_only };
 
+/// Steps first to last, counted from 0.
+struct StepWindow {
+  std::uint64_t first = 0, last = 0;
+};
+
 struct RunOptions {
   std::filesystem::path directory;  ///< empty: runs/<name of the scene file>
   int threads = 1;
@@ -50,6 +56,7 @@ struct RunOptions {
   std::string command;         ///< as it was typed, for the summary
   std::string resume_command;  ///< how to go on, shown when the run was stopped
   Telling telling = Telling::terminal;
+  std::optional<StepWindow> parts;  ///< of which a hash after each stage is written to parts.csv
 };
 
 /// How a run ended. A run that was killed is `running` for ever in its summary. `blocked`: the disk did not take a

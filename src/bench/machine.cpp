@@ -25,15 +25,6 @@ std::string processor_name() {
   return name.empty() ? "unknown" : name;
 }
 
-const char* kernel_instruction_set() {
-#ifdef GEODROP_NO_CLONES
-  return "one instruction set";
-#else
-  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
-  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
-#endif
-}
-
 double available_memory() {
   constexpr double kibibyte = 1024;
   const std::string text = proc_entry("/proc/meminfo", "MemAvailable");

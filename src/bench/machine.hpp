@@ -9,9 +9,6 @@ namespace geodrop {
 /// Model of the processor, without commas.
 std::string processor_name();
 
-/// The clone of the kernels that this machine chose, see kernels/chunk.hpp.
-const char* kernel_instruction_set();
-
 /// Memory that is free for use now [byte].
 double available_memory();
 

@@ -13,20 +13,28 @@ namespace {
 /// Twelve independent chains of fused multiply-adds hide the latency of one.
 constexpr int chains = 12;
 
-GEODROP_KERNEL double multiply_add(long rounds) {
+template <class Arithmetic>
+double multiply_add(long rounds) {
   Vec4 x[chains];
-  const Vec4 a = {0.999, 0.998, 0.997, 0.996}, b = {1e-3, 2e-3, 3e-3, 4e-3};
-  for (int c = 0; c < chains; ++c) x[c] = a + static_cast<double>(c);
+  const double a = 0.999;
+  const Vec4 b = {1e-3, 2e-3, 3e-3, 4e-3};
+  for (int c = 0; c < chains; ++c) x[c] = a + static_cast<double>(c) * b;
   for (long r = 0; r < rounds; ++r)
-    for (int c = 0; c < chains; ++c) x[c] = x[c] * a + b;
+    for (int c = 0; c < chains; ++c) {
+      Vec4 next = b;
+      Arithmetic::add_product(next, a, x[c]);
+      x[c] = next;
+    }
   Vec4 sum{};
   for (const Vec4& value : x) sum += value;
   return sum[0] + sum[1] + sum[2] + sum[3];
 }
 
 /// The kernels' own instruction set, as the other one.
-GEODROP_KERNEL void triad(double* a, const double* b, const double* c, std::ptrdiff_t n) {
-  for (std::ptrdiff_t k = 0; k < n; ++k) a[k] = b[k] + 0.5 * c[k];
+void triad(double* a, const double* b, const double* c, std::ptrdiff_t n) {
+  with_level([&](auto) {
+    for (std::ptrdiff_t k = 0; k < n; ++k) a[k] = b[k] + 0.5 * c[k];
+  });
 }
 
 constexpr std::ptrdiff_t triad_size = 1 << 23;  // 64 MiB an array, twice the last cache of the machine at hand
@@ -43,7 +51,8 @@ MachineRoofs ReferenceKernels::sample() {
   double sink = 0;
   const Stopwatch arithmetic;
 #pragma omp parallel for num_threads(threads_) reduction(+ : sink)
-  for (int t = 0; t < threads_; ++t) sink += multiply_add(rounds + (t & 1));
+  for (int t = 0; t < threads_; ++t)
+    sink += with_level([&](auto level) { return multiply_add<decltype(level)>(rounds + (t & 1)); });
   const double gflop = sink == 0 ? 0 : 1e-9 * flops_per_round * rounds * threads_;
   roofs.gflops = gflop / arithmetic.wall_seconds();
 

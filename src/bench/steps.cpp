@@ -1,7 +1,7 @@
 #include "steps.hpp"
 
+#include "../kernels/levels.hpp"
 #include "counted_steps.hpp"
-#include "machine.hpp"
 
 #include <geodrop/scene_reader.hpp>
 
@@ -34,7 +34,7 @@ std::optional<Scene> scene_of(const SceneBenchmark& bench, const BenchOptions& o
   return std::nullopt;
 }
 
-std::string build_name() { return std::string("g++ ") + __VERSION__ + " " + kernel_instruction_set(); }
+std::string build_name() { return std::string("g++ ") + __VERSION__ + " " + kernel_level_name(); }
 
 int run_steps(const BenchOptions& options) {
   BlockSize size;

@@ -5,8 +5,8 @@
 namespace geodrop {
 
 template <>
-GEODROP_KERNEL void sum_cells<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
-  sum_cells_range<2>(body, grid, begin, end);
+void sum_cells<2>(const Body<2>& body, Grid<2>& grid, std::size_t begin, std::size_t end) {
+  with_level([&](auto) { sum_cells_range<2>(body, grid, begin, end); });
 }
 
 }  // namespace geodrop

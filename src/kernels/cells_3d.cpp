@@ -5,8 +5,8 @@
 namespace geodrop {
 
 template <>
-GEODROP_KERNEL void sum_cells<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
-  sum_cells_range<3>(body, grid, begin, end);
+void sum_cells<3>(const Body<3>& body, Grid<3>& grid, std::size_t begin, std::size_t end) {
+  with_level([&](auto) { sum_cells_range<3>(body, grid, begin, end); });
 }
 
 }  // namespace geodrop

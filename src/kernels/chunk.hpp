@@ -8,14 +8,7 @@
 #include <type_traits>
 
 #include "bases.hpp"
-
-// Kernel entries are compiled for x86-64-v4 (32 vector registers: no spills), x86-64-v3 (AVX2, FMA) and the baseline,
-// chosen at load time; `flatten` inlines the templates below into each. Sanitizers do not get along with that choice.
-#ifdef GEODROP_NO_CLONES
-#define GEODROP_KERNEL
-#else
-#define GEODROP_KERNEL [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), gnu::flatten]]
-#endif
+#include "levels.hpp"
 
 // Valgrind 3.19 does not know the store form of vmovq between registers, which the assembler prefers for being a byte
 // shorter, and ends the program. An instruction macro asks for the load form.

@@ -4,21 +4,24 @@
 namespace geodrop {
 
 template <>
-GEODROP_KERNEL void chunk_volumes<3>(const Body<3>& body, std::size_t begin, int count, double* volume,
-                                     double* pressure) {
-  with_law(body.material, [&](const auto& law) { volumes_and_pressures(body, law, begin, count, volume, pressure); });
+void chunk_volumes<3>(const Body<3>& body, std::size_t begin, int count, double* volume, double* pressure) {
+  with_level([&](auto) {
+    with_law(body.material, [&](const auto& law) { volumes_and_pressures(body, law, begin, count, volume, pressure); });
+  });
 }
 
 template <>
-GEODROP_KERNEL void carry_stress<3>(const Body<3>& body, std::size_t begin, int count, const double* own,
-                                    ChunkStress<3>& out) {
-  with_law(body.material, [&](const auto& law) { carried_stress(body, law, begin, count, own, out); });
+void carry_stress<3>(const Body<3>& body, std::size_t begin, int count, const double* own, ChunkStress<3>& out) {
+  with_level([&](auto) {
+    with_law(body.material, [&](const auto& law) { carried_stress(body, law, begin, count, own, out); });
+  });
 }
 
 template <>
-GEODROP_KERNEL void strain_chunk<3>(Body<3>& body, const ChunkRates<3>& rates, double dt, std::size_t begin,
-                                    int count) {
-  with_law(body.material, [&](const auto& law) { update_chunk(body, law, rates, dt, begin, count); });
+void strain_chunk<3>(Body<3>& body, const ChunkRates<3>& rates, double dt, std::size_t begin, int count) {
+  with_level([&](auto) {
+    with_law(body.material, [&](const auto& law) { update_chunk(body, law, rates, dt, begin, count); });
+  });
 }
 
 }  // namespace geodrop

@@ -25,7 +25,7 @@ struct GatherSums {
   Vec4 gradient[Dim]{};  ///< sum u dN/dx_a
 };
 
-template <int Dim, class Basis, bool Blend>
+template <int Dim, class Basis, bool Blend, class Arithmetic = PlainArithmetic>
 GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int k) {
   GatherSums<Dim> s;
   const Vec4* const velocity0 = grid.velocity.data() + weights.first[k];
@@ -42,22 +42,22 @@ GatherSums<Dim> gather_sums(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis
       Vec4 row{}, row_change{}, row_gx{};
       for (int i = 0; i < Basis::support; ++i) {
         const Vec4 u = velocity0[offset + i];
-        row += wx[i] * u;
-        row_gx += gx[i] * u;
-        if constexpr (Blend) row_change += wx[i] * change0[offset + i];
+        Arithmetic::add_product(row, wx[i], u);
+        Arithmetic::add_product(row_gx, gx[i], u);
+        if constexpr (Blend) Arithmetic::add_product(row_change, wx[i], change0[offset + i]);
       }
       const double wy = weights.w[1][y][k];
-      plane += wy * row;
-      plane_gx += wy * row_gx;
-      plane_gy += weights.g[1][y][k] * row;
-      if constexpr (Blend) plane_change += wy * row_change;
+      Arithmetic::add_product(plane, wy, row);
+      Arithmetic::add_product(plane_gx, wy, row_gx);
+      Arithmetic::add_product(plane_gy, weights.g[1][y][k], row);
+      if constexpr (Blend) Arithmetic::add_product(plane_change, wy, row_change);
     }
     const double wz = Dim == 3 ? weights.w[Dim - 1][z][k] : 1.0;
-    s.value += wz * plane;
-    s.gradient[0] += wz * plane_gx;
-    s.gradient[1] += wz * plane_gy;
-    if constexpr (Dim == 3) s.gradient[2] += weights.g[2][z][k] * plane;
-    if constexpr (Blend) s.change += wz * plane_change;
+    Arithmetic::add_product(s.value, wz, plane);
+    Arithmetic::add_product(s.gradient[0], wz, plane_gx);
+    Arithmetic::add_product(s.gradient[1], wz, plane_gy);
+    if constexpr (Dim == 3) Arithmetic::add_product(s.gradient[2], weights.g[2][z][k], plane);
+    if constexpr (Blend) Arithmetic::add_product(s.change, wz, plane_change);
   }
   return s;
 }

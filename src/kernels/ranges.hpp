@@ -6,27 +6,27 @@
 namespace geodrop {
 
 /// Sums over the support of one particle, of the velocity change too where the transfer asks for it.
-template <int Dim, class Basis, Transfer transfer>
+template <int Dim, class Basis, Transfer transfer, class Arithmetic = PlainArithmetic>
 GatherSums<Dim> sums_of(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, int k) {
   constexpr bool change = transfer == Transfer::blend;
   if constexpr (std::is_same_v<Basis, Simplex>)
-    return gather_simplex<Dim, change>(grid, weights, k);
+    return gather_simplex<Dim, change, Arithmetic>(grid, weights, k);
   else
-    return gather_sums<Dim, Basis, change>(grid, weights, k);
+    return gather_sums<Dim, Basis, change, Arithmetic>(grid, weights, k);
 }
 
 /// Adds the record of one particle to the nodes of its support; `force` is used with Separate only.
-template <int Dim, class Basis, bool Separate>
+template <int Dim, class Basis, bool Separate, class Arithmetic>
 void add_particle(const ScatterRecord<Dim>& record, const GridLayout<Dim>& layout,
                   const ChunkWeights<Dim, Basis>& weights, int k, Vec4* sum, Vec4* force) {
   if constexpr (std::is_same_v<Basis, Simplex>)
-    scatter_simplex<Dim, Separate>(record, layout, weights, k, sum, force);
+    scatter_simplex<Dim, Separate, Arithmetic>(record, layout, weights, k, sum, force);
   else
-    scatter_particle<Dim, Basis, Separate>(record, layout, weights, k, sum, force);
+    scatter_particle<Dim, Basis, Separate, Arithmetic>(record, layout, weights, k, sum, force);
 }
 
 /// Scatters particles [begin, end) of a body. `dt` multiplies the force if it shares a record with the momentum.
-template <int Dim, class Basis, bool Separate>
+template <int Dim, class Basis, bool Separate, class Arithmetic>
 void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
   ChunkStress<Dim> stress;
@@ -44,8 +44,9 @@ void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_
         for (int k = 0; k < count; ++k) stress.s[c][k] *= dt;
     for (int k = 0; k < count; ++k) {
       next.fetch(p, k);
-      add_particle<Dim, Basis, Separate>(make_record<Dim, Basis>(body, weights, stress, p + k, k, grid.layout.h),
-                                         grid.layout, weights, k, grid.sum.data(), grid.force.data());
+      add_particle<Dim, Basis, Separate, Arithmetic>(
+          make_record<Dim, Basis, Arithmetic>(body, weights, stress, p + k, k, grid.layout.h), grid.layout, weights, k,
+          grid.sum.data(), grid.force.data());
     }
   }
 }
@@ -74,7 +75,7 @@ void scale_to_spans(const ChunkWeights<Dim, GradedBspline2>& weights, double inv
     for (int k = 0; k < count; ++k) rates.fill_slope[a][k] *= weights.span[a][k].width * inv_h;
 }
 
-template <int Dim, class Basis, Transfer transfer>
+template <int Dim, class Basis, Transfer transfer, class Arithmetic>
 Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                     std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
@@ -89,8 +90,8 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     for (int k = 0; k < count; ++k) {
       next.fetch(p, k);
       const bool shift = body.shift && (grid.cell_flags[pressure_cell(grid.layout, weights, k)] & cell_shiftable);
-      store_sums<Dim, transfer>(sums_of<Dim, Basis, transfer>(grid, weights, k), options.dt, body.shift, shift, k,
-                                rates);
+      store_sums<Dim, transfer>(sums_of<Dim, Basis, transfer, Arithmetic>(grid, weights, k), options.dt, body.shift,
+                                shift, k, rates);
     }
     if constexpr (transfer != Transfer::musl) {
       const double scale = options.damping / options.dt;

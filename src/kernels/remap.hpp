@@ -9,7 +9,7 @@
 
 namespace geodrop {
 
-template <int Dim, class Basis>
+template <int Dim, class Basis, class Arithmetic>
 void update_velocity_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions& options, std::size_t begin,
                            std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
@@ -18,7 +18,7 @@ void update_velocity_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherO
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
-      const GatherSums<Dim> s = sums_of<Dim, Basis, Transfer::blend>(grid, weights, k);
+      const GatherSums<Dim> s = sums_of<Dim, Basis, Transfer::blend, Arithmetic>(grid, weights, k);
       for (int a = 0; a < Dim; ++a) {
         double& v = body.v[a][p + k];
         v = damping * (keep * (v + s.change[a]) + (1 - keep) * s.value[a]);
@@ -28,7 +28,7 @@ void update_velocity_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherO
 }
 
 /// Adds N m (u, 1): the vector u of each particle and, in lane 3, unit_mass.
-template <int Dim, class Basis>
+template <int Dim, class Basis, class Arithmetic>
 void sum_by_mass_range(const Body<Dim>& body, const ByMass<Dim>& what, const GridLayout<Dim>& layout, Vec4* sum,
                        std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Basis> weights;
@@ -40,7 +40,7 @@ void sum_by_mass_range(const Body<Dim>& body, const ByMass<Dim>& what, const Gri
       ScatterRecord<Dim> record{};
       for (int a = 0; a < Dim; ++a) record.value[a] = m * what.u[a][p + k];
       record.value[3] = m * what.unit_mass;
-      add_particle<Dim, Basis, false>(record, layout, weights, k, sum, nullptr);
+      add_particle<Dim, Basis, false, Arithmetic>(record, layout, weights, k, sum, nullptr);
     }
   }
 }

@@ -31,7 +31,7 @@ struct ScatterRecord {
   double volume;       ///< [m3]
 };
 
-template <int Dim, class Basis>
+template <int Dim, class Basis, class Arithmetic>
 ScatterRecord<Dim> make_record(const Body<Dim>& body, const ChunkWeights<Dim, Basis>& weights,
                                const ChunkStress<Dim>& stress, std::size_t p, int k, double h) {
   ScatterRecord<Dim> r;
@@ -47,7 +47,7 @@ ScatterRecord<Dim> make_record(const Body<Dim>& body, const ChunkWeights<Dim, Ba
       column[a] = m * body.affine[a * Dim + b][p];
       traction[a] = stress.s[stress_index<Dim>(a, b)][k];
     }
-    r.value += weights.reach[b][k] * column;
+    Arithmetic::add_product(r.value, weights.reach[b][k], column);
     r.step[b] = is_graded<Basis> ? column : h * column;
     r.traction[b] = traction;
   }
@@ -56,7 +56,7 @@ ScatterRecord<Dim> make_record(const Body<Dim>& body, const ChunkWeights<Dim, Ba
 
 /// Adds one particle to a row of nodes; `outer_w` is the product of the other axes' weights.
 /// With Separate, force has its own record; without, `traction` comes times dt and joins the momentum.
-template <bool Separate, int Dim, class Basis>
+template <bool Separate, class Arithmetic, int Dim, class Basis>
 void add_row(Vec4* sum, Vec4* force, const ChunkWeights<Dim, Basis>& weights, int k, double outer_w, Vec4 value,
              Vec4 step, Vec4 traction_x, Vec4 traction_rest) {
   const auto& w = weights.w[0];
@@ -67,20 +67,23 @@ void add_row(Vec4* sum, Vec4* force, const ChunkWeights<Dim, Basis>& weights, in
   if constexpr (!Separate) value += traction_rest;  // one multiply-add less for each node
   const Vec4 lowest = value;
   for (int i = 0; i < Basis::support; ++i) {
-    if constexpr (is_graded<Basis>) value = lowest + node_offset(weights, 0, i, k) * step;
+    if constexpr (is_graded<Basis>) {
+      value = lowest;
+      Arithmetic::add_product(value, node_offset(weights, 0, i, k), step);
+    }
     if constexpr (Separate) {
-      sum[i] += w[i][k] * value;
-      force[i] += g[i][k] * traction_x;
-      force[i] += w[i][k] * traction_rest;
+      Arithmetic::add_product(sum[i], w[i][k], value);
+      Arithmetic::add_product(force[i], g[i][k], traction_x);
+      Arithmetic::add_product(force[i], w[i][k], traction_rest);
     } else {
-      sum[i] += g[i][k] * traction_x;
-      sum[i] += w[i][k] * value;
+      Arithmetic::add_product(sum[i], g[i][k], traction_x);
+      Arithmetic::add_product(sum[i], w[i][k], value);
     }
     if constexpr (!is_graded<Basis>) value += step;
   }
 }
 
-template <int Dim, class Basis, bool Separate>
+template <int Dim, class Basis, bool Separate, class Arithmetic>
 void scatter_particle(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout,
                       const ChunkWeights<Dim, Basis>& weights, int k, Vec4* sum, Vec4* force) {
   Vec4* const sum0 = sum + weights.first[k];
@@ -89,17 +92,18 @@ void scatter_particle(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout
     const double wz = Dim == 3 ? weights.w[Dim - 1][z][k] : 1.0;
     for (int y = 0; y < Basis::support; ++y) {
       const double wy = weights.w[1][y][k];
-      Vec4 value = r.value + node_offset(weights, 1, y, k) * r.step[1];
+      Vec4 value = r.value;
+      Arithmetic::add_product(value, node_offset(weights, 1, y, k), r.step[1]);
       Vec4 rest = weights.g[1][y][k] * wz * r.traction[1];
       int offset = y * layout.stride[1];
       if constexpr (Dim == 3) {
-        value += node_offset(weights, 2, z, k) * r.step[2];
-        rest += wy * weights.g[2][z][k] * r.traction[2];
+        Arithmetic::add_product(value, node_offset(weights, 2, z, k), r.step[2]);
+        Arithmetic::add_product(rest, wy * weights.g[2][z][k], r.traction[2]);
         if constexpr (Separate) rest[3] = wy * wz * r.volume;
         offset += z * layout.stride[2];
       }
-      add_row<Separate>(sum0 + offset, Separate ? force0 + offset : nullptr, weights, k, wy * wz, value, r.step[0],
-                        r.traction[0], rest);
+      add_row<Separate, Arithmetic>(sum0 + offset, Separate ? force0 + offset : nullptr, weights, k, wy * wz, value,
+                                    r.step[0], r.traction[0], rest);
     }
   }
 }

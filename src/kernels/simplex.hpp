@@ -17,7 +17,7 @@
 namespace geodrop {
 
 /// Adds one particle to the Dim + 1 nodes of its simplex.
-template <int Dim, bool Separate>
+template <int Dim, bool Separate, class Arithmetic>
 void scatter_simplex(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout,
                      const ChunkWeights<Dim, Simplex>& weights, int k, Vec4* sum, Vec4* force) {
   Vec4 value = r.value, before{};
@@ -28,17 +28,18 @@ void scatter_simplex(const ScatterRecord<Dim>& r, const GridLayout<Dim>& layout,
     Vec4 f = before - after;
     if constexpr (Separate) {
       if constexpr (Dim == 3) f[3] = w * r.volume;
-      sum[node] += w * value;
+      Arithmetic::add_product(sum[node], w, value);
       force[node] += f;
     } else {
-      sum[node] += w * value + f;
+      Arithmetic::add_product(f, w, value);
+      sum[node] += f;
     }
     if (n < Dim) value += r.step[weights.axis[n][k]];
     before = after;
   }
 }
 
-template <int Dim, bool Blend>
+template <int Dim, bool Blend, class Arithmetic>
 GatherSums<Dim> gather_simplex(const Grid<Dim>& grid, const ChunkWeights<Dim, Simplex>& weights, int k) {
   GatherSums<Dim> s;
   Vec4 below{};
@@ -46,8 +47,8 @@ GatherSums<Dim> gather_simplex(const Grid<Dim>& grid, const ChunkWeights<Dim, Si
     const int node = weights.node[n][k];
     const double w = weights.w[n][k];
     const Vec4 u = grid.velocity[node];
-    s.value += w * u;
-    if constexpr (Blend) s.change += w * grid.velocity_change[node];
+    Arithmetic::add_product(s.value, w, u);
+    if constexpr (Blend) Arithmetic::add_product(s.change, w, grid.velocity_change[node]);
     if (n > 0) s.gradient[weights.axis[n - 1][k]] = grid.layout.inv_h * (u - below);
     below = u;
   }
@@ -101,7 +102,7 @@ void sum_nodal_pressure_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_
 }
 
 /// node_rate += N V tr L for particles [begin, end).
-template <int Dim>
+template <int Dim, class Arithmetic>
 void sum_nodal_rate_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   ChunkWeights<Dim, Simplex> weights;
   const double inv_rho = 1 / reference_density(body.material);
@@ -109,7 +110,7 @@ void sum_nodal_rate_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t be
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
     for (int k = 0; k < count; ++k) {
-      const GatherSums<Dim> s = gather_simplex<Dim, false>(grid, weights, k);
+      const GatherSums<Dim> s = gather_simplex<Dim, false, Arithmetic>(grid, weights, k);
       double expansion = body.mass[p + k] * inv_rho * body.J[p + k];
       double trace = 0;
       for (int a = 0; a < Dim; ++a) trace += s.gradient[a][a];

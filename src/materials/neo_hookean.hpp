@@ -37,7 +37,7 @@ template <class R>
 /// b = F F^T in the order of a stress.
 template <int Dim, class R>
 [[gnu::always_inline]] inline Stress<Dim, R> left_cauchy_green(const Gradient<Dim, R>& F) {
-  const auto row_product = [&](int a, int b) [[gnu::always_inline]] {
+  const auto row_product = [&](int a, int b) __attribute__((always_inline)) {
     R sum = F[a * Dim] * F[b * Dim];
     for (int c = 1; c < Dim; ++c) sum += F[a * Dim + c] * F[b * Dim + c];
     return sum;

@@ -74,7 +74,7 @@ template <class R>
     b[3 * a + 1] = q[3 * a] * xy + q[3 * a + 1] * yy + q[3 * a + 2] * yz;
     b[3 * a + 2] = q[3 * a] * xz + q[3 * a + 1] * yz + q[3 * a + 2] * zz;
   }
-  const auto entry = [&](int i, int j) [[gnu::always_inline]] {
+  const auto entry = [&](int i, int j) __attribute__((always_inline)) {
     return b[3 * i] * q[3 * j] + b[3 * i + 1] * q[3 * j + 1] + b[3 * i + 2] * q[3 * j + 2];
   };
   stress = {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(0, 2)};

@@ -2,17 +2,10 @@
 
 #include <geodrop/version.hpp>
 
+#include "../kernels/levels.hpp"
+
 namespace geodrop {
 namespace {
-
-std::string kernel_level() {
-#ifdef GEODROP_NO_CLONES
-  return "one level of processor";
-#else
-  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
-  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64-v2";
-#endif
-}
 
 std::string compiler() {
 #ifdef __clang__
@@ -32,7 +25,7 @@ std::string compiler() {
 
 }  // namespace
 
-BuildIdentity this_build() { return {GEODROP_VERSION, compiler(), kernel_level()}; }
+BuildIdentity this_build() { return {GEODROP_VERSION, compiler(), kernel_arithmetic()}; }
 
 std::string differences(const BuildIdentity& before, const BuildIdentity& now) {
   std::string text;
@@ -41,7 +34,7 @@ std::string differences(const BuildIdentity& before, const BuildIdentity& now) {
   };
   compare("geodrop ", before.version, now.version);
   compare("", before.compiler, now.compiler);
-  compare("kernels for ", before.processor, now.processor);
+  compare("sums ", before.sums, now.sums);
   return text;
 }
 

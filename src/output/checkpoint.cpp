@@ -144,7 +144,7 @@ void walk_rest(Archive& archive, H& header) {
   archive.bytes(&header.dimension, 1);
   walk(archive, header.build.version);
   walk(archive, header.build.compiler);
-  walk(archive, header.build.processor);
+  walk(archive, header.build.sums);
   walk(archive, header.scene);
 }
 

@@ -6,6 +6,7 @@
 #include "console.hpp"
 #include "frame_writer.hpp"
 #include "geotube_probe.hpp"
+#include "hash_file.hpp"
 #include "history_file.hpp"
 #include "limit_warnings.hpp"
 #include "mach_numbers.hpp"
@@ -71,6 +72,7 @@ struct Output<Dim>::Parts {
     checkpoints_due.pass(state.t);
     write_file_atomically(directory / "scene.toml", scene.as_run);
     history_file.emplace(directory / "history.csv", history);
+    hash_file.emplace(directory / hashes_name, history.rows.empty() ? -1.0 : history.rows.back().front());
     write_summary(state, RunStatistics{RunStatus::running, "", 0, 0, {}, {}}, {});
   }
   void write_summary(const State<Dim>& state, const RunStatistics& statistics, const Summary& summary) {
@@ -112,6 +114,7 @@ struct Output<Dim>::Parts {
   Clock::time_point last_checkpoint = Clock::now();
   HistoryTable history;
   std::optional<HistoryFile> history_file;
+  std::optional<HashFile> hash_file;
   FrameWriter frames;
   CheckpointFiles checkpoints;
   LimitWatch limits;
@@ -188,6 +191,7 @@ template <int Dim>
 void Output<Dim>::write_history(Frame<Dim> frame) {
   parts_->history.rows.push_back(history_row(parts_->scene, *frame, parts_->history));
   parts_->history_file->append(parts_->history.rows.back());
+  parts_->hash_file->append({frame->t, frame->step, state_hash(*frame)});
   parts_->rows_due.pass(frame->t);
   for (const std::string& warning : strength_warnings(parts_->scene, parts_->history)) parts_->warn(warning);
   for (const std::string& warning : parts_->limits.look(parts_->scene, *frame, parts_->history)) parts_->warn(warning);

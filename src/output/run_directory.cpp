@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::array run_files = {"run.log",
                                   "scene.toml",
                                   "history.csv",
+                                  "hashes.csv",
+                                  "parts.csv",
                                   "summary.json",
                                   "checkpoint.bin",
                                   "checkpoint.previous.bin",

@@ -11,6 +11,7 @@
 
 #include "../setup/memory_estimate.hpp"
 #include "check_resumable.hpp"
+#include "parts.hpp"
 
 namespace geodrop {
 namespace {
@@ -73,6 +74,7 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   }
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
+  if (options.parts) record_parts(*options.parts, output.directory() / parts_name, pipeline);
   if (!options.resume) output.start(Frame<Dim>(state));
 
   const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;

@@ -1,0 +1,90 @@
+// The hash of the state at the end of short scenes that have each feature in one of them: a change of results is seen
+// in the commit that makes it. After a change that is meant to, GEODROP_TAKE_HASHES=1 writes hashes.csv anew.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+
+#include "kernels/levels.hpp"
+#include "support/program.hpp"
+
+using namespace geodrop::test;
+
+namespace {
+
+const std::string path = geodrop::source_path("tests/golden/hashes.csv");
+
+/// A line of the file; `sums` is what the hash depends on besides the source, see docs/reproducibility.md.
+struct Golden {
+  std::array<std::string, 5> cells;
+
+  std::string name() const { return cells[0]; }
+  std::string scene() const { return cells[1]; }
+  std::string overrides() const { return cells[2]; }
+  std::string sums() const { return cells[3]; }
+  std::string hash() const { return cells[4]; }
+};
+
+std::vector<Golden> read_golden() {
+  std::istringstream lines(geodrop::read_file(path));
+  std::vector<Golden> all;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream text(line);
+    Golden golden;
+    for (std::string& cell : golden.cells) std::getline(text, cell, ',');
+    all.push_back(golden);
+  }
+  return all;
+}
+
+std::vector<std::string> settings_of(const Golden& golden) {
+  std::istringstream text(golden.overrides());
+  std::vector<std::string> settings;
+  for (std::string setting; std::getline(text, setting, ';');) settings.push_back(setting);
+  return settings;
+}
+
+/// The file with the hash of each scene for these sums; those for others stay.
+void write_golden(const std::vector<Golden>& all) {
+  std::ofstream file(path);
+  file << "case,scene,overrides,sums,hash\n";
+  for (const Golden& golden : all)
+    file << golden.name() << ',' << golden.scene() << ',' << golden.overrides() << ',' << golden.sums() << ','
+         << golden.hash() << '\n';
+}
+
+}  // namespace
+
+TEST_CASE("Golden hashes: the same states as ever, on one thread and on two") {
+  const std::string sums = geodrop::kernel_arithmetic();
+  const bool take = std::getenv("GEODROP_TAKE_HASHES") != nullptr;
+  std::vector<Golden> all = read_golden();
+  const bool known = std::any_of(all.begin(), all.end(), [&](const Golden& golden) { return golden.sums() == sums; });
+  REQUIRE(all.size() >= 12);
+  if (!known) MESSAGE("no hashes are known for sums that are " << sums << "; only threads are compared");
+  std::string done;
+  std::vector<Golden> taken;
+  for (const Golden& golden : all) {
+    const bool first = golden.name() != done;  // lines of a scene stand together, one for each kind of sums
+    done = golden.name();
+    if (known && golden.sums() != sums) continue;
+    if (!known && !first) continue;
+    CAPTURE(golden.name());
+    SceneRun run(golden.scene(), settings_of(golden), {"--threads", "1"});
+    REQUIRE(run.outcome().code == 0);
+    const std::string hash = run.hash();
+    CHECK(run.again({"--threads", "2"}).code == 0);
+    CHECK(run.hash() == hash);
+    if (known && !take) CHECK(hash == golden.hash());
+    taken.push_back({{golden.name(), golden.scene(), golden.overrides(), sums, hash}});
+  }
+  if (!take) return;
+  std::erase_if(all, [&](const Golden& golden) { return golden.sums() == sums || golden.sums().empty(); });
+  all.insert(all.end(), taken.begin(), taken.end());
+  std::stable_sort(all.begin(), all.end(), [&](const Golden& a, const Golden& b) { return a.name() < b.name(); });
+  write_golden(all);
+}
