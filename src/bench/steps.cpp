@@ -2,6 +2,7 @@
 
 #include "../kernels/levels.hpp"
 #include "counted_steps.hpp"
+#include "machine.hpp"
 
 #include <geodrop/scene_reader.hpp>
 
