@@ -84,18 +84,9 @@ std::string one_tube_text(const GeotubeReport& report) {
 }
 
 std::string table_text(const GeotubeReport& report) {
-  constexpr int table_digits = 6;
-  Lines lines{{}, {}};
-  for (const ListedNumber& result : list_results(report.tubes.front(), report.strength)) {
-    lines[0].push_back(result.name);
-    lines[1].push_back("[" + result.unit + "]");
-  }
-  for (const Geotube& tube : report.tubes) {
-    lines.emplace_back();
-    for (const ListedNumber& result : list_results(tube, report.strength))
-      lines.back().push_back(format_number(result.value, table_digits));
-  }
-  return format_table(lines, std::string(lines[0].size(), 'r'));
+  std::vector<ResultList> rows;
+  for (const Geotube& tube : report.tubes) rows.push_back(list_results(tube, report.strength));
+  return row_table(rows, "-");
 }
 
 // --- Files -----------------------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <string>
 
 namespace geodrop {
@@ -19,7 +20,7 @@ CLI::Validator only_if(const Condition& good, const std::string& allowed) {
 }
 
 inline CLI::Validator positive(const std::string& allowed) {
-  return only_if<double>([](double value) { return value > 0; }, allowed);
+  return only_if<double>([](double value) { return value > 0 && std::isfinite(value); }, allowed);
 }
 
 }  // namespace geodrop
