@@ -35,16 +35,18 @@ int finish(SceneRun& run) {
 TEST_CASE("Killed at 20 random instants, some runs again and again, and resumed: the same files, byte for byte") {
   const auto start = std::chrono::steady_clock::now();
   const SceneRun whole(drop, short_drop(), {"--threads", "1"});
-  const std::chrono::duration<double> takes = std::chrono::steady_clock::now() - start;
+  std::chrono::duration<double> takes = std::chrono::steady_clock::now() - start;
   REQUIRE(whole.outcome().code == 0);
   constexpr int instants = 20, times_at_most = 4;
   std::mt19937 random(16);
   std::uniform_real_distribution<double> part(0.02, 1.0);
   int killed = 0, resumed = 0;
-  for (int tries = 0; killed < instants && tries < 2 * instants;) {
+  for (int tries = 0; killed < instants && tries < 5 * instants;) {
     SceneRun run(drop, short_drop(), {}, SceneRun::Begin::later);
     for (int times = 0; times < times_at_most && killed < instants; ++times, ++tries) {
-      killed += run_and_kill(run, part(random) * takes, times % 2 == 0 ? "1" : "2");
+      const bool met = run_and_kill(run, part(random) * takes, times % 2 == 0 ? "1" : "2");
+      killed += met;
+      if (!met) takes *= 0.7;  // the machine is less busy than it was
       resumed += std::filesystem::exists(run.file("checkpoint.bin"));
       if (std::filesystem::exists(run.file("summary.json"))) CHECK_FALSE(run.text("status") == "failed");
     }
