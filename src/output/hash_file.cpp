@@ -1,10 +1,10 @@
 #include "hash_file.hpp"
 
+#include "atomic_file.hpp"
 #include "text.hpp"
 
 #include <fstream>
 #include <sstream>
-#include <utility>
 
 namespace geodrop {
 namespace {
@@ -14,6 +14,15 @@ constexpr int exact_digits = 17;
 
 std::string line_of(const HashRow& row) {
   return format_number(row.t, exact_digits) + "," + std::to_string(row.step) + "," + row.hash + "\n";
+}
+
+/// Leaves the rows up to a time. Atomically: killed in between, a run still has what it goes on from.
+const std::filesystem::path& cut_back(const std::filesystem::path& path, double kept_until) {
+  std::string text = "time_s,step,hash\n";
+  for (const HashRow& row : read_hashes(path))
+    if (row.t <= kept_until) text += line_of(row);
+  write_file_atomically(path, text);
+  return path;
 }
 
 }  // namespace
@@ -33,19 +42,9 @@ std::vector<HashRow> read_hashes(const std::filesystem::path& path) {
   return rows;
 }
 
-HashFile::HashFile(std::filesystem::path path, double kept_until)
-    : path_(std::move(path)), text_("time_s,step,hash\n") {
-  for (const HashRow& row : read_hashes(path_))
-    if (row.t <= kept_until) text_ += line_of(row);
-  std::ofstream(path_, std::ios::trunc);
-}
+HashFile::HashFile(const std::filesystem::path& path, double kept_until)
+    : file_(cut_back(path, kept_until), GrowingFile::Begin::behind) {}
 
-void HashFile::append(const HashRow& row) {
-  text_ += line_of(row);
-  std::ofstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(static_cast<std::streamoff>(written_));
-  file.write(text_.data() + written_, static_cast<std::streamsize>(text_.size() - written_));
-  if (file.flush()) written_ = text_.size();
-}
+void HashFile::append(const HashRow& row) { file_.append(line_of(row)); }
 
 }  // namespace geodrop

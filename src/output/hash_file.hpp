@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "growing_file.hpp"
+
 namespace geodrop {
 
 inline constexpr const char* hashes_name = "hashes.csv";
@@ -23,14 +25,14 @@ std::vector<HashRow> read_hashes(const std::filesystem::path& path);
 /// written at the same times, is where it is reported.
 class HashFile {
  public:
-  /// Keeps the rows that are there up to time `kept_until` [s].
-  HashFile(std::filesystem::path path, double kept_until);
+  /// Keeps the rows that are there up to time `kept_until` [s]. Throws WriteError.
+  HashFile(const std::filesystem::path& path, double kept_until);
   void append(const HashRow& row);
+  /// Tries again to write rows that the disk did not take.
+  void catch_up() { file_.append(""); }
 
  private:
-  std::filesystem::path path_;
-  std::string text_;
-  std::size_t written_ = 0;  ///< bytes of the text that are in the file
+  GrowingFile file_;
 };
 
 }  // namespace geodrop

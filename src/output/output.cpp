@@ -225,6 +225,7 @@ void Output<Dim>::write_pending() {
   parts_->checkpoints.give_room_back();
   const std::size_t missing = parts_->frames.try_again();
   parts_->history_file->catch_up();
+  parts_->hash_file->catch_up();
   if (missing > 0) log("warning: no room for all frames, missing: " + std::to_string(missing));
 }
 

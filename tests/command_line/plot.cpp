@@ -42,10 +42,10 @@ TEST_CASE("plot draws position, velocity, tension and energy of a run, and follo
   CHECK(run_program({"plot", directory}).code == 0);
   CHECK(geodrop::read_file(run.file("history.svg")) != svg);
 
-  // The next run into the directory takes the pictures away: they would show another one.
+  // A run that replaces this one takes the pictures away: they would show another one.
   std::ofstream(run.file("section_middle.svg")) << "of a run before";
   std::ofstream(run.file("section_notes.txt")) << "someone's";
-  CHECK(run_program(run.arguments({})).code == 0);
+  CHECK(run_program(run.arguments({"--overwrite"})).code == 0);
   CHECK_FALSE(std::filesystem::exists(run.file("history.svg")));
   CHECK_FALSE(std::filesystem::exists(run.file("history.png")));
   CHECK_FALSE(std::filesystem::exists(run.file("section_middle.svg")));

@@ -62,10 +62,11 @@ TEST_CASE("The main case lands and comes to rest, without water in the container
 }
 
 TEST_CASE("A container slips out of a barge afloat, falls and lands") {
-  const SceneRun run("cases/dump_barge_underwater.toml", {"grid.spacing=0.5"});
+  // When it slips out hangs on the last digit of sums at two cells across it: at 13 to 18 s, hence the later end.
+  const SceneRun run("cases/dump_barge_underwater.toml", {"grid.spacing=0.5", "time.end=24"});
   REQUIRE(run.outcome().code == 0);
   CHECK(run.result("time_released_s") > 8);  // it hangs over the gap until the barge has opened by 40 degrees
-  CHECK(run.result("time_to_land_s") < 18);
+  CHECK(run.result("time_to_land_s") < 24);
   CHECK(run.result("fall_velocity_max_m_s") > 2);
   CHECK(run.result("fall_velocity_max_m_s") < 4.5);
   CHECK(run.result("tension_release_N_m") > 5e3);
