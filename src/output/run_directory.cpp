@@ -140,7 +140,7 @@ std::string move_aside(const fs::path& directory, const fs::path& real) {
     refuse(directory, "an earlier run in the directory in which this command runs",
            "--overwrite, or another directory");
   std::error_code error;
-  const std::string aside = real.string() + "." + std::to_string(next_number(real));
+  std::string aside = real.string() + "." + std::to_string(next_number(real));
   fs::rename(real, aside, error);
   if (error)
     throw WriteError("cannot move the earlier run in " + directory.string() + " aside: " + error.message() +
