@@ -34,7 +34,7 @@ if(GEODROP_MARCH)
 endif()
 
 if(GEODROP_SANITIZE)
-  target_compile_options(geodrop_flags INTERFACE -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined
+  target_compile_options(geodrop_flags INTERFACE -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined
                          -fno-sanitize-recover=all)
   target_link_options(geodrop_flags INTERFACE -fsanitize=address,undefined)
 endif()
