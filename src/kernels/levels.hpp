@@ -7,7 +7,9 @@
 // cannot tell which of them they are, and nothing but the processor chooses among them.
 #pragma once
 
+#ifdef __x86_64__
 #include <immintrin.h>  // declares the instruction below
+#endif
 
 #include <geodrop/types.hpp>
 
