@@ -33,8 +33,9 @@ if(GEODROP_MARCH)
                               "-march=${GEODROP_MARCH};$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
 endif()
 
+# Tests only call; without optimisation they compile a third faster.
 if(GEODROP_SANITIZE)
-  target_compile_options(geodrop_flags INTERFACE -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined
-                         -fno-sanitize-recover=all)
+  target_compile_options(geodrop_flags INTERFACE $<IF:$<STREQUAL:$<TARGET_PROPERTY:NAME>,geodrop_tests>,-O0,-O1> -g1
+                         -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all)
   target_link_options(geodrop_flags INTERFACE -fsanitize=address,undefined)
 endif()
