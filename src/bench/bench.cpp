@@ -27,7 +27,7 @@ struct Candidate {
   std::function<SpeedMeasurement()> measure;
 };
 
-struct Row {
+struct TableRow {
   Labels labels;
   SpeedMeasurement speed;
 };
@@ -60,9 +60,9 @@ std::vector<Candidate> candidates(const BenchOptions& options, ReferenceKernels&
   return all;
 }
 
-void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, int threads) {
+void write_csv(const std::filesystem::path& file, const std::vector<TableRow>& rows, int threads) {
   std::vector<std::string> stages;
-  for (const Row& row : rows) add_stage_names(row.speed, stages);
+  for (const TableRow& row : rows) add_stage_names(row.speed, stages);
   const std::string processor = processor_name();
   std::ofstream out(file);
   out << "name,dimension,basis,material,transfer,pressure,particles,threads,mpps,mpps_min,mpps_max,"
@@ -89,7 +89,7 @@ void print_head() {
               "memory", "cpu", "slowest stage");
 }
 
-void print_row(const Row& row) {
+void print_row(const TableRow& row) {
   const SpeedMeasurement& m = row.speed;
   const auto& stages = m.median().stages;
   const auto slowest = std::max_element(stages.begin(), stages.end(),
@@ -102,9 +102,9 @@ void print_row(const Row& row) {
 }
 
 /// Pairs that differ in the support of pressure only.
-void print_cost_of_averages(const std::vector<Row>& rows) {
-  for (const Row& cell : rows) {
-    const auto twin = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+void print_cost_of_averages(const std::vector<TableRow>& rows) {
+  for (const TableRow& cell : rows) {
+    const auto twin = std::find_if(rows.begin(), rows.end(), [&](const TableRow& row) {
       const Labels &a = row.labels, &b = cell.labels;
       return b.pressure != "particle" && a.pressure == "particle" && a.dimension == b.dimension && a.basis == b.basis &&
              a.material == b.material && a.transfer == b.transfer;
@@ -129,7 +129,7 @@ int run_bench(const BenchOptions& options) {
   const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()});
   std::printf("roofs on %d threads: %.1f Gflop/s, %.1f Gbyte/s\n", options.threads, roofs.gflops, roofs.gbytes_s);
   print_head();
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const Candidate& candidate : table) {
     rows.push_back({candidate.labels, candidate.measure()});
     print_row(rows.back());

@@ -27,7 +27,7 @@ struct Subject {
 
 template <int Dim>
 void make_steps(Subject<Dim>& subject, int count) {
-  for (int s = 0; s < count; ++s) advance(subject.scene, subject.pipeline, subject.state, subject.grids);
+  for (int s = 0; s < count; ++s) advance(subject.pipeline, subject.state, subject.grids);
 }
 
 BenchMaterial kind_of(const Material& material) {
@@ -60,7 +60,7 @@ int step_cycles(Subject<Dim>& subject, int cycles) {
   const double due = allowed_drift_cells * subject.grids.front().layout.finest;
   int steps = 0;
   for (int cycle = 0; cycle < cycles; ++cycle) do {
-      advance(subject.scene, subject.pipeline, subject.state, subject.grids);
+      advance(subject.pipeline, subject.state, subject.grids);
       ++steps;
     } while (subject.state.drift < due);
   return steps;
@@ -69,11 +69,11 @@ int step_cycles(Subject<Dim>& subject, int cycles) {
 /// `run` returns the number of steps that it made.
 template <int Dim, class Run>
 SpeedSample time_steps(Subject<Dim>& subject, Run&& run) {
-  for (Stage<Dim>& stage : subject.pipeline) stage.seconds = 0;
+  for (Row<Dim>& stage : subject.pipeline) stage.seconds = 0;
   const Stopwatch watch;
   const int steps = run();
   TimedSteps timed{subject.state.particles(), steps, watch.wall_seconds(), watch.processor_seconds(), {}};
-  for (const Stage<Dim>& stage : subject.pipeline) timed.stages.push_back({stage.name, stage.seconds});
+  for (const Row<Dim>& stage : subject.pipeline) timed.stages.push_back({stage.name, stage.seconds});
   return sample_of(timed);
 }
 

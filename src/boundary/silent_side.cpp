@@ -122,7 +122,6 @@ SilentSide make_silent_side(const Scene& scene, const SilentSideSpec& spec) {
   return side;
 }
 
-template <>
 void fade_at_silent_sides(const GridLayout<2>& layout, double dt, State<2>& state) {
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
   for (SilentSide& side : state.silent_sides) {
@@ -133,9 +132,5 @@ void fade_at_silent_sides(const GridLayout<2>& layout, double dt, State<2>& stat
     fade(layout, dt, layer);
   }
 }
-
-// Silent sides are for the plane: the scene language has none in space.
-template <>
-void fade_at_silent_sides(const GridLayout<3>&, double, State<3>&) {}
 
 }  // namespace geodrop

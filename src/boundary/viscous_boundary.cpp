@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "../grid/point_support.hpp"
 #include "../setup/initial_stress.hpp"
@@ -72,7 +71,6 @@ void scatter(const PointSupport<Dim>& support, const Vec4& push, const Grid<Dim>
 
 }  // namespace
 
-template <>
 ViscousBoundary<2> make_viscous_boundary(const Scene& scene, const ViscousBoundarySpec& spec, const State<2>& state) {
   const BodySpec& body = *find_body(scene, spec.body);
   const Material& ground = find_named(state.bodies, spec.body).material;
@@ -94,11 +92,6 @@ ViscousBoundary<2> make_viscous_boundary(const Scene& scene, const ViscousBounda
     boundary.at_start[1].push_back(stress.vertical * normal[1]);
   }
   return boundary;
-}
-
-template <>
-ViscousBoundary<3> make_viscous_boundary(const Scene&, const ViscousBoundarySpec&, const State<3>&) {
-  throw std::logic_error("viscous boundaries are for the plane");
 }
 
 template <int Dim>

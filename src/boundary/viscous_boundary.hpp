@@ -19,10 +19,8 @@
 
 namespace geodrop {
 
-/// The body must be in the state already; throws std::logic_error in 3D (the scene is checked for that).
-template <int Dim>
-ViscousBoundary<Dim> make_viscous_boundary(const Scene& scene, const ViscousBoundarySpec& spec,
-                                           const State<Dim>& state);
+/// The body must be in the state already.
+ViscousBoundary<2> make_viscous_boundary(const Scene& scene, const ViscousBoundarySpec& spec, const State<2>& state);
 
 /// Traction of dashpots and spring on the body at a point, t - t_0 [Pa].
 template <int Dim>

@@ -61,10 +61,10 @@ struct Replay {
 
 /// As the step loop of a run, output left out; the membranes' peaks count from row to row there.
 template <int Dim>
-HashRow step_to(const HashRow& row, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids) {
+HashRow step_to(const HashRow& row, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids) {
   if (state.step > 0)
     for (Membrane<Dim>& membrane : state.membranes) membrane.tension_peak = 0;
-  while (state.step < row.step) advance(scene, pipeline, state, grids);
+  while (state.step < row.step) advance(pipeline, state, grids);
   return {state.t, state.step, state_hash(state)};
 }
 
@@ -80,7 +80,7 @@ Replay replay(const Scene& scene, const Recorded& recorded) {
   Replay result;
   try {
     for (const HashRow& row : recorded.rows) {
-      result.now = step_to(row, scene, pipeline, state, grids);
+      result.now = step_to(row, pipeline, state, grids);
       if (result.now.hash != row.hash) break;
       ++result.equal;
     }

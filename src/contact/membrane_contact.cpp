@@ -236,7 +236,6 @@ MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spe
   return contact;
 }
 
-template <>
 void add_membrane_contacts(State<2>& state, double dt) {
   for (MembraneContact& contact : state.membrane_contacts) {
     Membrane<2>& one = find_named(state.membranes, contact.between[0]);
@@ -250,9 +249,5 @@ void add_membrane_contacts(State<2>& state, double dt) {
     contact.force = {force[0], force[1]};
   }
 }
-
-// Membranes are for the plane.
-template <>
-void add_membrane_contacts(State<3>&, double) {}
 
 }  // namespace geodrop

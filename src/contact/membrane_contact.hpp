@@ -18,7 +18,6 @@ namespace geodrop {
 MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state);
 
 /// Adds to Membrane::load of both; `dt` [s] stretches the tangential springs.
-template <int Dim>
-void add_membrane_contacts(State<Dim>& state, double dt);
+void add_membrane_contacts(State<2>& state, double dt);
 
 }  // namespace geodrop

@@ -110,7 +110,6 @@ RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
   return body;
 }
 
-template <>
 void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<2>& state) {
   for (RigidBody<2>& body : state.rigid) {
     const double angle = body.angle;
@@ -123,10 +122,6 @@ void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<2>&
     body.velocity = as_array((as_vector(body.displacement) - displacement) / dt);
   }
 }
-
-// Rigid bodies are for the plane.
-template <>
-void move_rigid_bodies(const std::vector<RigidSpec>&, double, State<3>&) {}
 
 RigidSurface::RigidSurface(const RigidBody<2>& body)
     : half_plane_(body.half_plane),

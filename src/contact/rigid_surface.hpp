@@ -16,8 +16,7 @@ namespace geodrop {
 RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain);
 
 /// Moves the bodies whose motion goes on by one step; their rates are means over it, zero for those at rest.
-template <int Dim>
-void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<Dim>& state);
+void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<2>& state);
 
 /// The surface in its present pose.
 class RigidSurface {

@@ -168,7 +168,6 @@ std::vector<Vec<2>> contact_forces(const RigidSurface& surface, const std::vecto
   return forces;
 }
 
-template <>
 RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state) {
   const ContactPair pair = contact_pair(scene, spec);
   RigidContact<2> contact;
@@ -184,7 +183,6 @@ RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, 
   return contact;
 }
 
-template <>
 void add_contact_forces(State<2>& state, double dt) {
   for (RigidContact<2>& contact : state.rigid_contacts) {
     if (contact.bare) continue;
@@ -196,7 +194,6 @@ void add_contact_forces(State<2>& state, double dt) {
   }
 }
 
-template <>
 void contact_to_grid(State<2>& state, Grid<2>& grid, double dt) {
   for (RigidContact<2>& contact : state.rigid_contacts) {
     if (!contact.bare || find_named(state.bodies, contact.touching).field != grid.field) continue;
@@ -209,13 +206,5 @@ void contact_to_grid(State<2>& state, Grid<2>& grid, double dt) {
 }
 
 // Contacts are for the plane.
-template <>
-RigidContact<3> make_rigid_contact(const Scene&, const ContactSpec&, const State<3>&) {
-  return {};
-}
-template <>
-void add_contact_forces(State<3>&, double) {}
-template <>
-void contact_to_grid(State<3>&, Grid<3>&, double) {}
 
 }  // namespace geodrop

@@ -18,8 +18,7 @@
 namespace geodrop {
 
 /// Contact of a membrane or a body with a rigid body, nothing touching yet.
-template <int Dim>
-RigidContact<Dim> make_rigid_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state);
+RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state);
 
 /// The body that touches, or that is behind the membrane that does.
 template <int Dim>
@@ -40,11 +39,9 @@ std::vector<Vec<2>> contact_forces(const RigidSurface& surface, const std::vecto
                                    RigidContact<2>& contact);
 
 /// Contacts of membranes: adds to Membrane::load; `dt` [s] stretches the tangential springs.
-template <int Dim>
-void add_contact_forces(State<Dim>& state, double dt);
+void add_contact_forces(State<2>& state, double dt);
 
 /// Contacts of bare particles: adds to the nodal sums, or to the force where it is kept apart.
-template <int Dim>
-void contact_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt);
+void contact_to_grid(State<2>& state, Grid<2>& grid, double dt);
 
 }  // namespace geodrop

@@ -169,7 +169,6 @@ void take_gravity(const State<2>& state, const Grid<2>& grid, const std::array<d
 
 }  // namespace
 
-template <>
 void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
   for_each_enclosed(state, grid, [&](const Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
     cut_cells(grid.layout, membrane.x[0], membrane.x[1], cells);
@@ -182,7 +181,6 @@ void update_enclosed_cells(const State<2>& state, Grid<2>& grid) {
   });
 }
 
-template <>
 void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
   for_each_enclosed(state, grid, [&](const Body<2>& body, Membrane<2>& membrane, const EnclosedCells& cells) {
     for (const CutCells::Piece& piece : cells.pieces) {
@@ -196,7 +194,6 @@ void add_fluid_loads(State<2>& state, const Grid<2>& grid) {
   });
 }
 
-template <>
 void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g, double dt) {
   const bool separate = !grid.force.empty();
   Array<Vec4>& target = separate ? grid.force : grid.sum;
@@ -211,7 +208,6 @@ void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g
   take_gravity(state, grid, {-scale * g[0], -scale * g[1]}, target);
 }
 
-template <>
 void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt) {
   for_each_enclosed(state, grid, [&](Body<2>& body, const Membrane<2>& membrane, EnclosedCells& cells) {
     Array<double> flow = outflow(body, membrane, grid, cells);
@@ -224,15 +220,5 @@ void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt) {
     even_out(body, grid.layout, evening * wave_speed(body.material) * dt / grid.layout.h, cells);
   });
 }
-
-// Enclosed fluids are for the plane: check_scene refuses them in space.
-template <>
-void update_enclosed_cells(const State<3>&, Grid<3>&) {}
-template <>
-void add_fluid_loads(State<3>&, const Grid<3>&) {}
-template <>
-void enclosed_force_to_grid(const State<3>&, Grid<3>&, const Point&, double) {}
-template <>
-void update_enclosed_rates(State<3>&, Grid<3>&, double) {}
 
 }  // namespace geodrop

@@ -28,19 +28,15 @@
 namespace geodrop {
 
 /// Cut cells, their hosts and pressures, from membranes and particles.
-template <int Dim>
-void update_enclosed_cells(const State<Dim>& state, Grid<Dim>& grid);
+void update_enclosed_cells(const State<2>& state, Grid<2>& grid);
 
 /// Adds the loads of enclosed fluids to their membranes.
-template <int Dim>
-void add_fluid_loads(State<Dim>& state, const Grid<Dim>& grid);
+void add_fluid_loads(State<2>& state, const Grid<2>& grid);
 
 /// Adds the forces of pressure jumps to the grid, and takes gravity `g` [m/s2] from the enclosed fluids.
-template <int Dim>
-void enclosed_force_to_grid(const State<Dim>& state, Grid<Dim>& grid, const Point& g, double dt);
+void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g, double dt);
 
 /// Volume rates of enclosed cells from the nodal velocities; evens out J within cells.
-template <int Dim>
-void update_enclosed_rates(State<Dim>& state, Grid<Dim>& grid, double dt);
+void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt);
 
 }  // namespace geodrop

@@ -176,7 +176,6 @@ void forget_cells(Grids<2>& grids) {
 
 }  // namespace
 
-template <>
 void cut_interface_cells(const State<2>& state, Grids<2>& grids) {
   forget_cells(grids);
   Grid<2>& around = grids.front();
@@ -193,7 +192,6 @@ void cut_interface_cells(const State<2>& state, Grids<2>& grids) {
   }
 }
 
-template <>
 void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
   Grid<2>& around = grids.front();
   std::vector<PartList> lists;
@@ -230,7 +228,6 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
   }
 }
 
-template <>
 void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt) {
   constexpr double evening = 0.1;  // share of the wave speed
   for (Body<2>& body : state.bodies) {
@@ -250,7 +247,6 @@ void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt) {
   }
 }
 
-template <>
 void fill_other_sides(const State<2>& state, Grids<2>& grids) {
   const GridLayout<2>& layout = grids.front().layout;
   const auto fill = [&](Grid<2>& grid, int flat, const std::array<double, 9>& value) {
@@ -270,7 +266,6 @@ void fill_other_sides(const State<2>& state, Grids<2>& grids) {
   }
 }
 
-template <>
 void add_interface_force(Grids<2>& grids) {
   for (Grid<2>& grid : grids)
     for (const PartCell& part : grid.part_cells) {
@@ -282,7 +277,6 @@ void add_interface_force(Grids<2>& grids) {
     }
 }
 
-template <>
 void update_interface_rates(Grids<2>& grids) {
   for (Grid<2>& grid : grids)
     for_each_group(grid.part_cells, [&](auto first, auto last) {
@@ -296,19 +290,5 @@ void update_interface_rates(Grids<2>& grids) {
       for (auto part = first; part != last; ++part) grid.volume_rate[part->flat] = rate;
     });
 }
-
-// Sharp interfaces are for the plane: check_scene refuses them in space.
-template <>
-void cut_interface_cells(const State<3>&, Grids<3>&) {}
-template <>
-void share_interface_pressure(const State<3>&, Grids<3>&) {}
-template <>
-void even_out_volumes(State<3>&, const Grids<3>&, double) {}
-template <>
-void fill_other_sides(const State<3>&, Grids<3>&) {}
-template <>
-void add_interface_force(Grids<3>&) {}
-template <>
-void update_interface_rates(Grids<3>&) {}
 
 }  // namespace geodrop

@@ -20,30 +20,24 @@
 namespace geodrop {
 
 /// Cuts the cells at sharp membranes; Grid::taken of the fields on both sides.
-template <int Dim>
-void cut_interface_cells(const State<Dim>& state, Grids<Dim>& grids);
+void cut_interface_cells(const State<2>& state, Grids<2>& grids);
 
 /// Pressures of the parts of cut cells, from those that grid/cell_fill left.
-template <int Dim>
-void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids);
+void share_interface_pressure(const State<2>& state, Grids<2>& grids);
 
 /// Volume ratios of the particles of fluids near their cell's mean, at a share of the wave speed; the volume of each
 /// cell stays. No force does that: cells know means only, and what strays from them is carried along and turns up
 /// elsewhere as noise of the pressure.
-template <int Dim>
-void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt);
+void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt);
 
 /// Adds to the fill ratios of nodes what lies on the other side: particles shift away from crowds and into voids beside
 /// the membrane as elsewhere, and keep their distance from it.
-template <int Dim>
-void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids);
+void fill_other_sides(const State<2>& state, Grids<2>& grids);
 
 /// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N].
-template <int Dim>
-void add_interface_force(Grids<Dim>& grids);
+void add_interface_force(Grids<2>& grids);
 
 /// Volume rates of the parts of cut cells.
-template <int Dim>
-void update_interface_rates(Grids<Dim>& grids);
+void update_interface_rates(Grids<2>& grids);
 
 }  // namespace geodrop

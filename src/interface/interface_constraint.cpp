@@ -230,16 +230,11 @@ void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
 
 }  // namespace
 
-template <>
 void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
   std::vector<Contact> contacts = find_contacts(state, grids);
   join(dt, contacts, grids);
   rub(dt, contacts, grids);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);
 }
-
-// Sharp interfaces are for the plane: check_scene refuses them in space.
-template <>
-void join_interfaces(State<3>&, Grids<3>&, double) {}
 
 }  // namespace geodrop

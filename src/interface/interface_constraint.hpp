@@ -25,7 +25,6 @@ namespace geodrop {
 
 /// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
 /// Membrane::water_pressure and water_shear.
-template <int Dim>
-void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
+void join_interfaces(State<2>& state, Grids<2>& grids, double dt);
 
 }  // namespace geodrop

@@ -87,7 +87,6 @@ void keep_body(const Grid<2>& grid, const NearEdges& edges, bool inside, Body<2>
 
 }  // namespace
 
-template <>
 void keep_sides(State<2>& state, const Grids<2>& grids) {
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
   for (const Membrane<2>& membrane : state.membranes) {
@@ -97,9 +96,5 @@ void keep_sides(State<2>& state, const Grids<2>& grids) {
       if (body.field == membrane.field || body.field == 0) keep_body(grids[body.field], edges, body.field != 0, body);
   }
 }
-
-// Sharp interfaces are for the plane: check_scene refuses them in space.
-template <>
-void keep_sides(State<3>&, const Grids<3>&) {}
 
 }  // namespace geodrop

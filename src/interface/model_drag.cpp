@@ -23,7 +23,6 @@ Vec<2> mean_velocity(const Body<2>& body) {
 
 }  // namespace
 
-template <>
 void add_model_drag(State<2>& state) {
   for (Membrane<2>& membrane : state.membranes) {
     if (!acts_sharply(membrane) || membrane.drag_coefficient == 0) continue;
@@ -40,9 +39,5 @@ void add_model_drag(State<2>& state) {
     }
   }
 }
-
-// Sharp interfaces are for the plane: check_scene refuses them in space.
-template <>
-void add_model_drag(State<3>&) {}
 
 }  // namespace geodrop

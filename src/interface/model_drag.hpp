@@ -11,7 +11,6 @@
 namespace geodrop {
 
 /// Adds it to the loads of sharp membranes with a drag coefficient [N], v the mean velocity of their body.
-template <int Dim>
-void add_model_drag(State<Dim>& state);
+void add_model_drag(State<2>& state);
 
 }  // namespace geodrop

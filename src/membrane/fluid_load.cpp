@@ -49,7 +49,6 @@ std::vector<StillFluid> still_fluids(const Scene& scene) {
   return fluids;
 }
 
-template <>
 void add_still_fluids(const std::vector<StillFluid>& fluids, State<2>& state) {
   for (const StillFluid& fluid : fluids)
     for (Membrane<2>& membrane : state.membranes) {
@@ -61,9 +60,5 @@ void add_still_fluids(const std::vector<StillFluid>& fluids, State<2>& state) {
       }
     }
 }
-
-// Membranes are for the plane.
-template <>
-void add_still_fluids(const std::vector<StillFluid>&, State<3>&) {}
 
 }  // namespace geodrop

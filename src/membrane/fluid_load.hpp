@@ -30,7 +30,6 @@ struct StillFluid {
 std::vector<StillFluid> still_fluids(const Scene& scene);
 
 /// Adds the pressure of fluids around membranes, gamma (surface - y) inwards below their surfaces.
-template <int Dim>
-void add_still_fluids(const std::vector<StillFluid>& fluids, State<Dim>& state);
+void add_still_fluids(const std::vector<StillFluid>& fluids, State<2>& state);
 
 }  // namespace geodrop

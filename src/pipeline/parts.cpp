@@ -14,39 +14,13 @@
 namespace geodrop {
 namespace {
 
-/// Goes on from the hash of what came before.
-template <class T>
-void add(const Array<T>& field, std::uint64_t& hash) {
-  if (!field.empty()) hash = XXH3_64bits_withSeed(field.data(), field.size() * sizeof(T), hash);
-}
-
-template <int Dim>
-void add(const Grid<Dim>& grid, std::uint64_t& hash) {
-  add(grid.sum, hash);
-  add(grid.force, hash);
-  add(grid.velocity, hash);
-  add(grid.velocity_change, hash);
-  add(grid.mass_correction, hash);
-  add(grid.cell_volume, hash);
-  add(grid.cell_pressure, hash);
-  add(grid.volume_rate, hash);
-  add(grid.cell_flags, hash);
-  add(grid.node_volume, hash);
-  add(grid.node_pressure, hash);
-  add(grid.node_rate, hash);
-  add(grid.taken, hash);
-  for (const EnclosedCells& cells : grid.enclosed) {
-    add(cells.area, hash);
-    add(cells.pressure, hash);
-    add(cells.rate, hash);
-  }
-}
-
 template <int Dim>
 std::string part_hash(const State<Dim>& state, const Grids<Dim>& grids) {
-  const std::string of_state = state_hash(state);
-  std::uint64_t hash = XXH3_64bits(of_state.data(), of_state.size());
-  for (const Grid<Dim>& grid : grids) add(grid, hash);
+  std::uint64_t hash = 0;
+  for (int i = 0; i < static_cast<int>(Data::count); ++i) {
+    const std::uint64_t of_group = hash_of(static_cast<Data>(i), state, grids);
+    hash = XXH3_64bits_withSeed(&of_group, sizeof of_group, hash);
+  }
   std::array<char, 17> text;
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
   return text.data();
@@ -56,9 +30,9 @@ std::string part_hash(const State<Dim>& state, const Grids<Dim>& grids) {
 
 template <int Dim>
 void watch_parts(const StepWindow& window, const std::function<void(const PartHash&)>& take, Pipeline<Dim>& pipeline) {
-  for (Stage<Dim>& stage : pipeline)
-    stage.run = [window, take, name = stage.name, run = std::move(stage.run)](State<Dim>& state, Grids<Dim>& grids,
-                                                                              const StepContext& step) {
+  for (Row<Dim>& row : pipeline)
+    row.run = [window, take, name = row.name, run = std::move(row.run)](State<Dim>& state, Grids<Dim>& grids,
+                                                                        StepContext& step) {
       run(state, grids, step);
       if (step.step >= window.first && step.step <= window.last) take({step.step, name, part_hash(state, grids)});
     };

@@ -36,7 +36,7 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   try {
     statistics.facts = state_facts(scene, state);
     while (state.t < end && !is_over(scene, state) && !stop_requested() && !output.blocked()) {
-      advance(scene, pipeline, state, grids);
+      advance(pipeline, state, grids);
       write_due_output(output, state);
       if (take_checkpoint_request() || output.checkpoint_due(state.t)) output.checkpoint(Frame<Dim>(state));
       output.progress(state.t, state.step);
@@ -48,7 +48,7 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
   }
   statistics.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   statistics.steps = state.step - first_step;
-  for (const Stage<Dim>& stage : pipeline) statistics.stages.push_back({stage.name, stage.seconds});
+  for (const Row<Dim>& row : pipeline) statistics.stages.push_back({row.name, row.seconds});
   return statistics;
 }
 

@@ -5,6 +5,7 @@
 
 #include "../setup/initial_stress.hpp"
 #include "../setup/memory_estimate.hpp"
+#include "stable_dt.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -22,10 +23,9 @@ double density_rise(const Body<Dim>& body) {
 template <int Dim>
 std::string stages_in(const Scene& scene) {
   std::ostringstream text;
-  for (const Stage<Dim>& stage : build_pipeline<Dim>(scene)) {
-    text << stage.name << std::string(20 - std::min<std::size_t>(19, stage.name.size()), ' ') << stage.reads_writes
-         << '\n';
-  }
+  for (const Row<Dim>& row : build_pipeline<Dim>(scene))
+    text << row.name << std::string(20 - std::min<std::size_t>(19, row.name.size()), ' ') << names_of(row.reads)
+         << " -> " << names_of(row.writes) << '\n';
   return text.str();
 }
 

@@ -1,9 +1,9 @@
-// The stable time step of the explicit scheme.
+#include "stable_dt.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <geodrop/error.hpp>
 #include <geodrop/find_named.hpp>
-#include <geodrop/pipeline.hpp>
 #include <limits>
 #include <sstream>
 
@@ -119,7 +119,7 @@ template <int Dim>
 /// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h), waves in body and membrane in one sum (safe);
 /// viscosity: C times h^2 / (2 d nu), the limit of an explicit step (safe); h is the finest cell's.
 template <int Dim>
-double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<Dim>& layout) {
+double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLayout<Dim>& layout) {
   if (!std::isfinite(state.v_max)) throw_not_finite(state);
   double c2 = 0, membrane2 = 0, nu = 0;
   for (const Body<Dim>& body : state.bodies) {
@@ -129,22 +129,21 @@ double stable_dt(const Scene& scene, const State<Dim>& state, const GridLayout<D
   for (const Membrane<Dim>& membrane : state.membranes)
     membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));
   double dt =
-      scene.solver.courant * layout.finest / (std::sqrt(c2 + membrane2) + std::max(state.v_max, surface_speed(state)));
+      limits.courant * layout.finest / (std::sqrt(c2 + membrane2) + std::max(state.v_max, surface_speed(state)));
   dt = std::min(dt, contact_dt(state, layout.finest));
-  if (nu > 0) dt = std::min(dt, scene.solver.courant * layout.finest * layout.finest / (2 * Dim * nu));
+  if (nu > 0) dt = std::min(dt, limits.courant * layout.finest * layout.finest / (2 * Dim * nu));
   dt = damped(dt, state.damping_rate);
   constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
-  if (dt < smallest_share * scene.time.end) {
+  if (dt < smallest_share * limits.end) {
     std::ostringstream text;
-    text << "the time step collapsed: at " << dt
-         << " s more than 1e12 steps are needed to time.end = " << scene.time.end << " s (step " << state.step
-         << ", t = " << state.t << " s, |v|max = " << state.v_max << " m/s)";
+    text << "the time step collapsed: at " << dt << " s more than 1e12 steps are needed to time.end = " << limits.end
+         << " s (step " << state.step << ", t = " << state.t << " s, |v|max = " << state.v_max << " m/s)";
     throw RunError(text.str());
   }
   return dt;
 }
 
-template double stable_dt<2>(const Scene&, const State<2>&, const GridLayout<2>&);
-template double stable_dt<3>(const Scene&, const State<3>&, const GridLayout<3>&);
+template double stable_dt(const StepLimits&, const State<2>&, const GridLayout<2>&);
+template double stable_dt(const StepLimits&, const State<3>&, const GridLayout<3>&);
 
 }  // namespace geodrop

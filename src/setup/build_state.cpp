@@ -229,6 +229,12 @@ void add_contacts(const Scene& scene, State<2>& state) {
   }
 }
 
+void add_boundaries(const Scene& scene, State<2>& state) {
+  for (const ViscousBoundarySpec& spec : scene.viscous_boundaries)
+    state.viscous_boundaries.push_back(make_viscous_boundary(scene, spec, state));
+  for (const SilentSideSpec& spec : scene.silent_sides) state.silent_sides.push_back(make_silent_side(scene, spec));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -253,9 +259,7 @@ State<Dim> build_state(const Scene& scene) {
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   allocate_loads(state, [](const Membrane<Dim>& membrane) { return membrane.drag_coefficient > 0; });
   enclose_fluids(scene, state);
-  for (const ViscousBoundarySpec& spec : scene.viscous_boundaries)
-    state.viscous_boundaries.push_back(make_viscous_boundary(scene, spec, state));
-  for (const SilentSideSpec& spec : scene.silent_sides) state.silent_sides.push_back(make_silent_side(scene, spec));
+  if constexpr (Dim == 2) add_boundaries(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
     if (!tracer) continue;

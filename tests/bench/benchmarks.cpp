@@ -49,7 +49,7 @@ State<Dim> run_block(const Benchmark& bench, const BlockSize& size, int steps) {
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   set_in_motion<Dim>(bench, scene, 1, state);
-  for (int step = 0; step < steps; ++step) advance(scene, pipeline, state, grids);
+  for (int step = 0; step < steps; ++step) advance(pipeline, state, grids);
   return state;
 }
 
@@ -66,7 +66,7 @@ Moved move_block(const Benchmark& bench) {
     return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
   };
   Moved moved{mean(), 0};
-  for (int step = 0; step < 10; ++step) advance(scene, pipeline, state, grid);
+  for (int step = 0; step < 10; ++step) advance(pipeline, state, grid);
   moved.after = mean();
   return moved;
 }

@@ -55,7 +55,7 @@ std::array<double, 2> load_inside(State<2>& state) {
 bool comes_to_rest(const Scene& scene, State<2>& state) {
   Grids<2> grid = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
-  while (!is_over(scene, state)) advance(scene, pipeline, state, grid);
+  while (!is_over(scene, state)) advance(pipeline, state, grid);
   return state.t < scene.time.end;
 }
 

@@ -32,7 +32,7 @@ void make_steps(const Scene& scene) {
   HistoryTable history{history_columns(scene), {}};
   constexpr int steps = 3;
   for (int i = 0; i < steps && !is_over(scene, state); ++i) {
-    advance(scene, pipeline, state, grids);
+    advance(pipeline, state, grids);
     history.rows.push_back(history_row(scene, state, history));
   }
   for (const Result& result : reduce_all(scene, history)) (void)result;

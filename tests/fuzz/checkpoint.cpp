@@ -36,7 +36,7 @@ Stopped<Dim> stop(const std::string& file, const std::vector<std::string>& setti
   HistoryTable history{history_columns(run.scene), {}};
   for (int i = 0; i < steps; ++i) {
     history.rows.push_back(history_row(run.scene, state, history));
-    advance(run.scene, pipeline, state, grids);
+    advance(pipeline, state, grids);
   }
   const TemporaryDirectory directory;
   write_checkpoint(directory / "checkpoint.bin", run.scene, state, {{0.0}, history.rows});
@@ -137,7 +137,7 @@ void go_on(const Scene& scene, State<2> state) {
   const double end = state.t + millisecond;
   HistoryTable history{history_columns(scene), {}};
   for (int i = 0; i < most_steps && state.t < end; ++i) {
-    advance(scene, pipeline, state, grids);
+    advance(pipeline, state, grids);
     history.rows.push_back(history_row(scene, state, history));
   }
 }

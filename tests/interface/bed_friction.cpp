@@ -31,7 +31,7 @@ struct Joined {
     state = build_state<2>(scene);
     grids = make_grids<2>(scene);
     Pipeline<2> pipeline = build_pipeline<2>(scene);
-    for (int k = 0; k < 20; ++k) advance(scene, pipeline, state, grids);
+    for (int k = 0; k < 20; ++k) advance(pipeline, state, grids);
     state.membranes[0].bed_friction = friction;
     if (pore_pressure >= 0)
       for (double& u : find_named(state.bodies, "bed").pore_pressure) u = pore_pressure;

@@ -39,7 +39,7 @@ struct Fall {
     overrides.push_back("grid.spacing=0.5");
     return overrides;
   }
-  void step() { advance(scene, pipeline, state, grids); }
+  void step() { advance(pipeline, state, grids); }
 
   void scramble_velocities(unsigned seed) {
     Random random(seed);

@@ -20,7 +20,7 @@ struct Run {
   Run(const Scene& scene_in, int steps)
       : scene(scene_in), state(build_state<Dim>(scene)), grid(make_grids<Dim>(scene)) {
     Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
-    for (int k = 0; k < steps; ++k) advance(scene, pipeline, state, grid);
+    for (int k = 0; k < steps; ++k) advance(pipeline, state, grid);
   }
 };
 

@@ -43,7 +43,7 @@ void go(Run& run, int steps) {
   Grids<2> grids = make_grids<2>(run.scene);
   Pipeline<2> pipeline = build_pipeline<2>(run.scene);
   try {
-    for (int k = 0; k < steps; ++k) advance(run.scene, pipeline, run.state, grids);
+    for (int k = 0; k < steps; ++k) advance(pipeline, run.state, grids);
   } catch (const RunError& error) {
     run.error = error.what();
   }

@@ -36,7 +36,7 @@ struct Drift {
       }
   }
   void run(int steps) {
-    for (int k = 0; k < steps; ++k) advance(scene, pipeline, state, grid);
+    for (int k = 0; k < steps; ++k) advance(pipeline, state, grid);
   }
   std::array<double, 4> momentum_and_mass() const {
     std::array<double, 4> sums{};

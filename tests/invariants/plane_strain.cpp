@@ -18,7 +18,7 @@ State<Dim> run_steps(const Scene& scene, int steps) {
   State<Dim> state = build_state<Dim>(scene);
   Grids<Dim> grid = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
-  for (int k = 0; k < steps; ++k) advance(scene, pipeline, state, grid);
+  for (int k = 0; k < steps; ++k) advance(pipeline, state, grid);
   return state;
 }
 

@@ -23,7 +23,7 @@ State<2> run_steps(const Scene& scene, int steps) {
   State<2> state = build_state<2>(scene);
   Grids<2> grid = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
-  for (int k = 0; k < steps; ++k) advance(scene, pipeline, state, grid);
+  for (int k = 0; k < steps; ++k) advance(pipeline, state, grid);
   return state;
 }
 

@@ -24,7 +24,7 @@ Ran run(const std::string& file, const std::vector<std::string>& settings, int s
   ran.built = ran.state = build_state<2>(ran.scene);
   Grids<2> grids = make_grids<2>(ran.scene);
   Pipeline<2> pipeline = build_pipeline<2>(ran.scene);
-  for (int i = 0; i < steps; ++i) advance(ran.scene, pipeline, ran.state, grids);
+  for (int i = 0; i < steps; ++i) advance(pipeline, ran.state, grids);
   return ran;
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("Nor is the work of what moves; it adds up with the energy of the bloc
   Grids<2> grids = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
   REQUIRE(pipeline.back().name == "energy_watch");
-  while (!is_over(scene, state)) REQUIRE_NOTHROW(advance(scene, pipeline, state, grids));
+  while (!is_over(scene, state)) REQUIRE_NOTHROW(advance(pipeline, state, grids));
   const RigidContact<2>& contact = state.rigid_contacts[0];
   const double gained = measure(state, scene.gravity).energy(), mass = 1600;
   CHECK(gained > 0.9 * 0.5 * mass);  // it does not stay behind the wall, nor does it stick to it

@@ -1,4 +1,5 @@
 // Stages of a run in time: bodies that come in later, and damping from when on.
+#include "pipeline/stable_dt.hpp"
 #include "pipeline/scene_stages.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +34,7 @@ struct Run {
   Grids<2> grids = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
 
-  void step() { advance(scene, pipeline, state, grids); }
+  void step() { advance(pipeline, state, grids); }
   void until(double t) {
     while (state.t < t) step();
   }

@@ -23,7 +23,7 @@ State<2> state_at(double end) {
   State<2> state = build_state<2>(scene);
   Grids<2> grids = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
-  while (state.t < end) advance(scene, pipeline, state, grids);
+  while (state.t < end) advance(pipeline, state, grids);
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/stable_dt.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "pipeline/stable_dt.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 

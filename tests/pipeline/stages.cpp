@@ -10,11 +10,11 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Without the watch over energies, see tests/pipeline/energy_watch.
+/// Without the time step, which each has, and the watch over energies, see tests/pipeline/energy_watch.
 Names stages(const std::string& scene_file, const std::vector<std::string>& overrides = {}) {
   Names names;
-  for (const Stage<2>& stage : build_pipeline<2>(read_scene(source_path(scene_file), overrides)))
-    if (stage.name != "energy_watch") names.push_back(stage.name);
+  for (const Row<2>& row : build_pipeline<2>(read_scene(source_path(scene_file), overrides)))
+    if (row.name != "stable_dt" && row.name != "energy_watch") names.push_back(row.name);
   return names;
 }
 
@@ -78,9 +78,9 @@ TEST_CASE("Cell pressure is a choice of the body") {
 
 TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two criteria of rest") {
   CHECK(stages("cases/geotube_556.toml", {"bodies.fluid.pressure=enclosed"}) ==
-        Names{"sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force", "membrane_loads",
-              "membranes_to_grid", "momentum", "out_of_balance", "enclosed_rate", "grid_to_particles",
-              "grid_to_membranes", "kinetic_damping"});
+        Names{"sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force", "clear_loads",
+              "membrane_contact", "enclosed_load", "membranes_to_grid", "momentum", "out_of_balance", "enclosed_rate",
+              "grid_to_particles", "grid_to_membranes", "kinetic_damping"});
   const Names pumped = stages("tests/scenes/tube.toml");
   CHECK(std::count(pumped.begin(), pumped.end(), "pumps") == 1);
   CHECK(std::count(pumped.begin(), pumped.end(), "kinetic_damping") == 1);
@@ -88,15 +88,16 @@ TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two
       stages("tests/scenes/tube.toml",
              {"relaxation.damping=none", "relaxation.kinetic_ratio=", "relaxation.out_of_balance_ratio=", "contacts=[]",
               "bodies.fluid.pressure=cell"});
-  for (const char* name :
-       {"enclosed_cells", "membrane_loads", "enclosed_force", "out_of_balance", "enclosed_rate", "kinetic_damping"})
+  for (const char* name : {"enclosed_cells", "clear_loads", "enclosed_load", "enclosed_force", "out_of_balance",
+                           "enclosed_rate", "kinetic_damping"})
     CHECK(std::count(free.begin(), free.end(), name) == 0);
 }
 
 TEST_CASE("Rigid contact: loads for membranes, a stage for bare particles, one for what moves") {
-  CHECK(stages("tests/scenes/ramp.toml") == Names{"sort_particles", "clear_grid", "particles_to_grid", "membrane_loads",
-                                                  "particle_contact", "membranes_to_grid", "momentum",
-                                                  "grid_to_particles", "grid_to_membranes", "move_rigid_bodies"});
+  CHECK(stages("tests/scenes/ramp.toml") == Names{"sort_particles", "clear_grid", "particles_to_grid", "clear_loads",
+                                                  "membrane_contact", "particle_contact", "membranes_to_grid",
+                                                  "momentum", "grid_to_particles", "grid_to_membranes",
+                                                  "move_rigid_bodies"});
   const Names still = stages("tests/scenes/ramp.toml",
                              {"rigid.gate.motion={type='none'}", "rigid.ram.motion={type='none'}",
                               "rigid.wheel.motion={type='none'}", "contacts=[{between=['skin','ramp'],friction=0.3}]"});
@@ -105,13 +106,13 @@ TEST_CASE("Rigid contact: loads for membranes, a stage for bare particles, one f
 }
 
 TEST_CASE("Bodies that part from each other add loads on their skins; stages in time begin the step") {
-  Names names{"sort_particles",    "clear_grid", "particles_to_grid", "membrane_loads",
+  Names names{"sort_particles",    "clear_grid", "particles_to_grid", "clear_loads",      "membrane_contact",
               "membranes_to_grid", "momentum",   "grid_to_particles", "grid_to_membranes"};
   CHECK(stages("tests/scenes/block_on_slab.toml") == names);
   names.insert(names.begin(), "scene_stages");
   CHECK(stages("tests/scenes/block_on_slab.toml", {"stages=[{name='all',from=0.0}]"}) == names);
   const Names free = stages("tests/scenes/block_on_slab.toml", {"contacts=[]"});
-  CHECK(std::count(free.begin(), free.end(), "membrane_loads") == 0);
+  CHECK(std::count(free.begin(), free.end(), "clear_loads") == 0);
 }
 
 TEST_CASE("Grid arrays of features that a case does not use have length zero") {
@@ -139,16 +140,15 @@ TEST_CASE("A step runs every stage once, in order, and then advances the clock")
   Grids<2> grid = make_grids<2>(scene);
   std::vector<int> order;
   Pipeline<2> pipeline;
-  double seen = -1;
   for (int k = 0; k < 3; ++k)
-    pipeline.push_back({"stage", "", [&order, &seen, k](State<2>& s, Grids<2>&, const StepContext& step) {
+    pipeline.push_back({"row", {}, {}, true, [&order, k](State<2>& s, Grids<2>&, StepContext& step) {
                           order.push_back(k);
                           CHECK(step.step == 0);
                           CHECK(s.t == 0);
-                          seen = step.dt;
+                          step.dt += 0.5;
                         }});
-  advance(scene, pipeline, state, grid);
+  advance(pipeline, state, grid);
   CHECK(order == std::vector<int>{0, 1, 2});
-  CHECK(state.t == seen);
+  CHECK(state.t == 1.5);
   CHECK(state.step == 1);
 }

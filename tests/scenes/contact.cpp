@@ -52,7 +52,7 @@ State<2> state_at_end(const Scene& scene) {
   State<2> state = build_state<2>(scene);
   Grids<2> grids = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
-  while (!is_over(scene, state)) advance(scene, pipeline, state, grids);
+  while (!is_over(scene, state)) advance(pipeline, state, grids);
   return state;
 }
 

@@ -119,7 +119,7 @@ Reflected measure(const Ground& ground, const Packet& packet, State<2> state, co
   const double theta = packet.angle(1), end = (last_y + spread) / (ground.c_p * std::cos(theta));
   Grids<2> grids = make_grids<2>(scene);
   Pipeline<2> pipeline = build_pipeline<2>(scene);
-  while (state.t < end) advance(scene, pipeline, state, grids);
+  while (state.t < end) advance(pipeline, state, grids);
   const Squares after(body);
   const double shorter = ground.c_p * std::cos(theta) / (ground.c_s * std::cos(ground.phi(theta)));
   return {std::sqrt(after.divergence / before.divergence),

@@ -44,7 +44,7 @@ Drift run_for_drift(const Scene& scene, int steps) {
   const double pores = soil_law(body.material)->pore_stiffness;
   Drift drift;
   for (int k = 0; k < steps; ++k) {
-    advance(scene, pipeline, state, grids);
+    advance(pipeline, state, grids);
     for (const double gap : body.gap) drift.gap = std::max(drift.gap, gap);
   }
   const std::vector<double> after = balances(body);

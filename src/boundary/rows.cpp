@@ -1,0 +1,31 @@
+#include "rows.hpp"
+
+#include "../scene/needs.hpp"
+
+#include "silent_side.hpp"
+#include "viscous_boundary.hpp"
+
+namespace geodrop {
+
+Row<2> boundaries_to_grid_row(const Scene& scene) {
+  return {"boundaries_to_grid", Data::viscous_boundaries, Data::nodal_sums | Data::nodal_force,
+          !scene.viscous_boundaries.empty(), each_field<2>([](const State<2>& s, Grid<2>& g, const StepContext& step) {
+            boundaries_to_grid(s, g, step.dt);
+          })};
+}
+
+Row<2> silent_sides_row(const Scene& scene) {
+  return {"silent_sides", Data::position, Data::absorbing_layers | Data::velocity | Data::mass | Data::volume_ratio,
+          !scene.silent_sides.empty(), [](State<2>& s, const Grids<2>& f, const StepContext& step) {
+            fade_at_silent_sides(f.front().layout, step.dt, s);
+          }};
+}
+
+Row<2> grid_to_boundaries_row(const Scene& scene) {
+  return {"grid_to_boundaries", Data::nodal_velocity, Data::viscous_boundaries | Data::largest_motion,
+          !scene.viscous_boundaries.empty(), each_field<2>([](State<2>& s, const Grid<2>& g, const StepContext& step) {
+            grid_to_boundaries(s, g, step.dt);
+          })};
+}
+
+}  // namespace geodrop

@@ -1,0 +1,12 @@
+// Rows of the step for contact with rigid bodies and between membranes, in the plane.
+#pragma once
+
+#include <geodrop/row.hpp>
+
+namespace geodrop {
+
+Row<2> membrane_contact_row(const Scene& scene);
+Row<2> particle_contact_row(const Scene& scene);
+Row<2> move_rigid_bodies_row(const Scene& scene);
+
+}  // namespace geodrop

@@ -1,0 +1,64 @@
+#include "rows.hpp"
+
+#include "../scene/needs.hpp"
+
+#include <algorithm>
+
+#include "cell_pressure.hpp"
+#include "mass_correction.hpp"
+#include "momentum.hpp"
+#include "sort_particles.hpp"
+
+namespace geodrop {
+
+template <int Dim>
+Row<Dim> sort_particles_row(const Scene&) {
+  constexpr DataSet of_particles = Data::particle_order | Data::position | Data::velocity | Data::affine_rate |
+                                   Data::mass | Data::volume_ratio | Data::stress | Data::material_state;
+  constexpr DataSet of_sleeping_blocks = Data::nodal_sums | Data::nodal_force | Data::nodal_velocity |
+                                         Data::velocity_change | Data::cell_volume | Data::cell_pressure |
+                                         Data::volume_rate | Data::cell_flags | Data::nodal_pressure;
+  return {"sort_particles", Data::largest_motion | Data::membrane_position | Data::viscous_boundaries | Data::position,
+          of_particles | of_sleeping_blocks | Data::largest_motion | Data::active_blocks, true,
+          [](State<Dim>& s, Grids<Dim>& f, const StepContext&) { sort_particles_if_due(s, f); }};
+}
+
+template <int Dim>
+Row<Dim> momentum_row(const Scene& scene) {
+  std::array<double, Dim> gravity;
+  std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
+  return {"momentum", Data::nodal_sums | Data::nodal_force | Data::cell_pressure,
+          Data::nodal_sums | Data::nodal_force | Data::nodal_velocity | Data::velocity_change, true,
+          each_field<Dim>([gravity](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
+            fold_walls(g);
+            update_momentum<Dim>(g, gravity, step.dt);
+          })};
+}
+
+template <int Dim>
+Row<Dim> mass_correction_row(const Scene& scene) {
+  return {"mass_correction", Data::nodal_sums | Data::velocity_change,
+          Data::mass_correction | Data::nodal_velocity | Data::velocity_change,
+          scene.solver.mass_matrix == MassMatrix::consistent,
+          each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) { correct_mass(g); })};
+}
+
+template <int Dim>
+Row<Dim> volume_rate_row(const Scene& scene) {
+  return {"volume_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags, Data::volume_rate,
+          any_body_with(scene, PressureSupport::cell),
+          each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) {
+            if (!g.cell_volume.empty()) cell_volume_rate(g);
+          })};
+}
+
+#define GEODROP_INSTANTIATE(D)                          \
+  template Row<D> sort_particles_row<D>(const Scene&);  \
+  template Row<D> momentum_row<D>(const Scene&);        \
+  template Row<D> mass_correction_row<D>(const Scene&); \
+  template Row<D> volume_rate_row<D>(const Scene&);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop

@@ -1,0 +1,17 @@
+// Rows of the step that belong to the grid.
+#pragma once
+
+#include <geodrop/row.hpp>
+
+namespace geodrop {
+
+template <int Dim>
+Row<Dim> sort_particles_row(const Scene& scene);
+template <int Dim>
+Row<Dim> momentum_row(const Scene& scene);
+template <int Dim>
+Row<Dim> mass_correction_row(const Scene& scene);
+template <int Dim>
+Row<Dim> volume_rate_row(const Scene& scene);
+
+}  // namespace geodrop

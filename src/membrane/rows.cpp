@@ -1,0 +1,67 @@
+#include "rows.hpp"
+
+#include "../scene/needs.hpp"
+
+#include <algorithm>
+
+#include "fluid_load.hpp"
+#include "membrane_force.hpp"
+
+namespace geodrop {
+namespace {
+
+bool has_tracers(const Scene& scene) {
+  return std::any_of(scene.probes.begin(), scene.probes.end(),
+                     [](const ProbeSpec& p) { return std::holds_alternative<TracerSpec>(p.probe); });
+}
+
+}  // namespace
+
+Row<2> clear_loads_row(const Scene& scene) {
+  return {"clear_loads",
+          {},
+          Data::membrane_load,
+          any_membrane_load(scene),
+          [](State<2>& s, const Grids<2>&, const StepContext&) { clear_membrane_loads(s); }};
+}
+
+Row<2> still_fluids_row(const Scene& scene) {
+  return {"still_fluids", Data::membrane_position, Data::membrane_load, !scene.still_fluids.empty(),
+          [fluids = still_fluids(scene)](State<2>& s, const Grids<2>&, const StepContext&) {
+            add_still_fluids(fluids, s);
+          }};
+}
+
+template <int Dim>
+Row<Dim> membranes_to_grid_row(const Scene& scene) {
+  return {
+      "membranes_to_grid", Data::membranes | Data::membrane_position | Data::membrane_velocity | Data::membrane_load,
+      Data::membrane_tension | Data::nodal_sums | Data::nodal_force, !scene.membranes.empty(),
+      each_field<Dim>([](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { membranes_to_grid(s, g, step.dt); })};
+}
+
+template <int Dim>
+Row<Dim> grid_to_membranes_row(const Scene& scene) {
+  return {"grid_to_membranes", Data::nodal_velocity | Data::velocity_change | Data::stage,
+          Data::membrane_position | Data::membrane_velocity | Data::largest_motion, !scene.membranes.empty(),
+          each_field<Dim>([solver = scene.solver](State<Dim>& s, const Grid<Dim>& g, const StepContext& step) {
+            grid_to_membranes(solver, s, g, step.dt);
+          })};
+}
+
+template <int Dim>
+Row<Dim> grid_to_tracers_row(const Scene& scene) {
+  return {"grid_to_tracers", Data::nodal_velocity, Data::tracers, has_tracers(scene),
+          each_field<Dim>(
+              [](State<Dim>& s, const Grid<Dim>& g, const StepContext& step) { grid_to_tracers(s, g, step.dt); })};
+}
+
+#define GEODROP_INSTANTIATE(D)                            \
+  template Row<D> membranes_to_grid_row<D>(const Scene&); \
+  template Row<D> grid_to_membranes_row<D>(const Scene&); \
+  template Row<D> grid_to_tracers_row<D>(const Scene&);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop

@@ -1,0 +1,17 @@
+// Rows of the step for membranes, and for tracers, which ride with the grid as their nodes do.
+#pragma once
+
+#include <geodrop/row.hpp>
+
+namespace geodrop {
+
+Row<2> clear_loads_row(const Scene& scene);
+Row<2> still_fluids_row(const Scene& scene);
+template <int Dim>
+Row<Dim> membranes_to_grid_row(const Scene& scene);
+template <int Dim>
+Row<Dim> grid_to_membranes_row(const Scene& scene);
+template <int Dim>
+Row<Dim> grid_to_tracers_row(const Scene& scene);
+
+}  // namespace geodrop

@@ -1,0 +1,19 @@
+// What a scene needs, asked once for all who allocate, run or judge it.
+#pragma once
+
+#include <geodrop/scene.hpp>
+
+namespace geodrop {
+
+bool any_body_shifts(const Scene& scene);
+bool any_body_with(const Scene& scene, PressureSupport pressure);
+bool any_contact_of(const Scene& scene, ContactPair::Kind kind);
+
+/// A membrane touches a rigid body or a membrane.
+bool any_membrane_contact(const Scene& scene);
+/// A drag law acts on a membrane, without the fluid around.
+bool any_model_drag(const Scene& scene);
+/// Something loads membrane nodes directly, not through the grid.
+bool any_membrane_load(const Scene& scene);
+
+}  // namespace geodrop
