@@ -5,13 +5,16 @@
 #include <array>
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
+#include <string>
 #include <vector>
 
 namespace geodrop {
 
-/// The axis that is called vertical in names like `highest_m`: y in 2D, z in 3D.
-template <int Dim>
-inline constexpr int vertical_axis = Dim - 1;
+/// A number worth knowing that is no result of the history: "bed.skempton_b", "density_rise_ratio", ...
+struct Fact {
+  std::string name;  ///< ends in its unit
+  double value = 0;
+};
 
 /// Total stress of particle p [Pa], tension positive, pore pressure included; order of types.hpp.
 template <int Dim>

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <geodrop/measure.hpp>
 #include <geodrop/results.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
@@ -67,12 +68,6 @@ enum class RunStatus { running, done, stopped, blocked, failed };
 struct StageTime {
   std::string name;
   double seconds = 0;
-};
-
-/// A number worth knowing that is no result of the history: "bed.skempton_b", "density_rise_ratio", ...
-struct Fact {
-  std::string name;  ///< ends in its unit
-  double value = 0;
 };
 
 /// What only the step loop knows about a run.

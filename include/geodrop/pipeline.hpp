@@ -5,6 +5,7 @@
 #include <geodrop/output.hpp>
 #include <geodrop/row.hpp>
 #include <geodrop/scene.hpp>
+#include <geodrop/setup.hpp>
 #include <geodrop/state.hpp>
 #include <string>
 #include <vector>
@@ -22,18 +23,9 @@ Pipeline<Dim> build_pipeline(const Scene& scene);
 template <int Dim>
 void advance(Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids);
 
-/// Whether a run has nothing more to do: its time is over, or it has come to rest and neither a pump nor a stage is
-/// still to come.
-template <int Dim>
-bool is_over(const Scene& scene, const State<Dim>& state);
-
 /// What is worth knowing of a state before the next step: sizes, memory, time step, Skempton's B, density rise of
 /// fluids.
 template <int Dim>
 std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state);
-
-/// Particles, membranes and tracers of the scene at t = 0, with their initial stress.
-template <int Dim>
-State<Dim> build_state(const Scene& scene);
 
 }  // namespace geodrop

@@ -15,8 +15,4 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
 /// The page docs/scene.md, made from the table of keys that `read_scene` checks against.
 std::string scene_reference_markdown();
 
-/// The unit in which a column of history.csv or a result is named to end, e.g. "m/s" for `fall_velocity_max_m_s` and
-/// "1" for `pressure_ratio`; empty if the name ends in no known unit.
-std::string unit_of_name(const std::string& name);
-
 }  // namespace geodrop

@@ -18,6 +18,10 @@ namespace geodrop {
 template <int Dim>
 using Vec = Eigen::Matrix<double, Dim, 1>;
 
+/// The axis that is called vertical in names like `highest_m`: y in 2D, z in 3D.
+template <int Dim>
+inline constexpr int vertical_axis = Dim - 1;
+
 /// Number of stored components of a symmetric tensor; plane strain keeps ZZ.
 template <int Dim>
 inline constexpr int stress_components = Dim == 2 ? 4 : 6;

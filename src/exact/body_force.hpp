@@ -2,7 +2,7 @@
 #pragma once
 
 #include <geodrop/exact.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/row.hpp>
 
 #include <variant>
 #include <vector>

@@ -1,7 +1,9 @@
 // The stages that move data between particles and grid: they own the parallelism, the kernels own the arithmetic.
 #pragma once
 
-#include <geodrop/pipeline.hpp>
+#include <geodrop/grid.hpp>
+#include <geodrop/scene.hpp>
+#include <geodrop/state.hpp>
 
 namespace geodrop {
 

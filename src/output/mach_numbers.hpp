@@ -3,7 +3,7 @@
 #pragma once
 
 #include <geodrop/history.hpp>
-#include <geodrop/output.hpp>
+#include <geodrop/measure.hpp>
 #include <geodrop/scene.hpp>
 
 #include <vector>

@@ -6,6 +6,7 @@
 #include <geodrop/scene_reader.hpp>
 #include <limits>
 
+#include "../scene/units.hpp"
 #include "scene/nearest_name.hpp"
 #include "series.hpp"
 #include "text.hpp"

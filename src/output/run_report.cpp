@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "../scene/units.hpp"
 #include "run_lock.hpp"
 #include "text.hpp"
 

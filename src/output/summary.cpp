@@ -3,6 +3,7 @@
 #include <geodrop/scene_reader.hpp>
 #include <geodrop/version.hpp>
 
+#include "../scene/units.hpp"
 #include "json.hpp"
 #include "text.hpp"
 

@@ -1,7 +1,7 @@
 #include "take_over.hpp"
 
 #include <geodrop/error.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/setup.hpp>
 
 #include "run_report.hpp"
 #include "text.hpp"

@@ -86,17 +86,8 @@ void damp_kinetically(const RelaxationSpec& spec, const Point& gravity, State<Di
   r.steps = 0;
 }
 
-template <int Dim>
-bool is_over(const Scene& scene, const State<Dim>& state) {
-  const bool pumping =
-      std::any_of(scene.pumps.begin(), scene.pumps.end(), [&](const PumpSpec& pump) { return state.t < pump.to; });
-  const bool staged = state.stages_entered < scene.stages.size();
-  return state.t >= scene.time.end || (state.relaxation.cycles_at_rest >= cycles_to_rest && !pumping && !staged);
-}
-
 #define GEODROP_INSTANTIATE(D)                                                        \
   template void measure_balance<D>(const Point&, double, State<D>&, const Grids<D>&); \
-  template bool is_over<D>(const Scene&, const State<D>&);                            \
   template void damp_kinetically<D>(const RelaxationSpec&, const Point&, State<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

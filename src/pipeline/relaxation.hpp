@@ -15,8 +15,6 @@
 
 namespace geodrop {
 
-inline constexpr std::uint64_t cycles_to_rest = 3;
-
 /// Steps; the ratios of shorter cycles count with those of the next one.
 inline constexpr std::uint64_t shortest_cycle = 50;
 

@@ -2,6 +2,7 @@
 #include "check_scene.hpp"
 #include "check_value.hpp"
 #include "key_table.hpp"
+#include "units.hpp"
 
 #include <geodrop/scene_reader.hpp>
 

@@ -1,5 +1,4 @@
-// Names of columns and results end in their unit; this is the list of endings.
-#include <geodrop/scene_reader.hpp>
+#include "units.hpp"
 
 #include <string_view>
 

@@ -5,7 +5,7 @@
 #include <geodrop/find_named.hpp>
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/measure.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/setup.hpp>
 #include <geodrop/shapes.hpp>
 #include <geodrop/velocity_fields.hpp>
 #include <limits>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/error.hpp>
-#include <geodrop/measure.hpp>
 #include <geodrop/shapes.hpp>
 #include <numeric>
 #include <random>

@@ -1,4 +1,5 @@
 #include "judge.hpp"
+#include "../scene/units.hpp"
 
 #include <geodrop/scene_reader.hpp>
 

@@ -1,0 +1,12 @@
+// Names of columns and results end in their unit.
+#pragma once
+
+#include <string>
+
+namespace geodrop {
+
+/// The unit in which a column of history.csv or a result is named to end, e.g. "m/s" for `fall_velocity_max_m_s` and
+/// "1" for `pressure_ratio`; empty if the name ends in no known unit.
+std::string unit_of_name(const std::string& name);
+
+}  // namespace geodrop
