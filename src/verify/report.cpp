@@ -269,12 +269,14 @@ std::string rows_markdown(const Rows& rows) {
 }
 
 std::string rows_page(const Rows& rows, const std::string& page) {
-  return "# Verification, row by row\n\nAll measures and controls of `geodrop verify --full`, with the errors on each "
-         "grid. [" +
-         page + "](../" + page +
-         ") has one row for each case, and says what the columns mean. The command "
-         "with `--page` writes this page anew.\n\n" +
-         rows_markdown(rows) + "\nWhere to go on: [" + page + "](../" + page + ").\n";
+  const std::string link = "[" + page + "](../" + page + ")";
+  return "# Verification, row by row\n\nAll measures and controls of a run of `geodrop verify`, with the errors on "
+         "each "
+         "grid. " +
+         link +
+         " has one row for each case and explains the columns. Wall times are of all runs of a row, the "
+         "speed is that of the last run. `geodrop verify --page` writes this page.\n\n" +
+         rows_markdown(rows) + "\nWhere to go on: " + link + " for stability, bases, transfers and models.\n";
 }
 
 std::string with_generated_part(const std::string& page, const std::string& generated) {
