@@ -3,9 +3,9 @@ set(share "${CMAKE_INSTALL_DATADIR}/geodrop")
 install(TARGETS geodrop)
 install(DIRECTORY cases paraview DESTINATION "${share}" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # What the pages link to lies beside them as in the source tree, so that links lead somewhere.
-file(GLOB pages CONFIGURE_DEPENDS README.md docs/*.md)
+file(GLOB pages CONFIGURE_DEPENDS *.md docs/*.md docs/*/*.md)
 foreach(page IN LISTS pages)
   file(READ "${page}" text)
   string(REPLACE "](" "<link>" text "${text}")  # CMake splits no list at brackets

@@ -1,4 +1,4 @@
-# <geodrop/version.hpp> with GEODROP_VERSION: "0.1.0", and the commit where there is one: "0.1.0+bb82614-dirty".
+# <geodrop/version.hpp> with GEODROP_VERSION: "0.2.0", and the commit where there is one: "0.2.0+bb82614-dirty".
 # Written at every build, so that it is true of the sources that were compiled; touched only when it changes.
 if(CMAKE_SCRIPT_MODE_FILE)
   if(EXISTS "${SOURCE_DIR}/.git")

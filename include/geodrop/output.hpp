@@ -49,7 +49,7 @@ struct StepWindow {
 };
 
 struct RunOptions {
-  std::filesystem::path directory;  ///< empty: runs/<name of the scene file>
+  std::filesystem::path directory;  ///< empty: `runs/NAME`, NAME that of the scene file
   int threads = 1;
   bool resume = false;
   double end = 0;  ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's

@@ -14,7 +14,7 @@ struct VerifyOptions {
   VerifyMode mode = VerifyMode::quick;        ///< quick or full
   std::string only;                           ///< part of a case's name; empty: all
   std::vector<std::filesystem::path> scenes;  ///< empty: all of the source tree's cases that have a [[verify]]
-  std::filesystem::path page;  ///< a page whose generated part is written anew, pictures go beside it; empty: none
+  std::filesystem::path page;  ///< its generated part is written anew, rows.md and pictures go beside it; empty: none
 };
 
 /// Runs the cases, prints a row for each measure, writes verification.csv, verification_runs.csv, verification.md and

@@ -12,7 +12,7 @@ std::string processor_name();
 /// Memory that is free for use now [byte].
 double available_memory();
 
-/// A file or directory of the source tree, found from the program (build/<preset>/geodrop) or from the current
+/// A file or directory of the source tree, found from the program (`build/PRESET/geodrop`) or from the current
 /// directory upwards; empty if there is none.
 std::filesystem::path find_in_tree(const std::filesystem::path& relative);
 

@@ -13,7 +13,7 @@
 
 namespace geodrop {
 
-/// runs/<name of the scene file without its ending>, or the one that was asked for.
+/// `runs/NAME`, NAME that of the scene file without its ending, or the one that was asked for.
 std::filesystem::path choose_directory(const Scene& scene, const std::filesystem::path& asked_for);
 
 /// A directory that is this run's alone.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace geodrop {
 namespace {
@@ -103,6 +104,58 @@ bool holds_as_regression(const VerifyRow& row) {
   return !row.control && row.kind == ReferenceKind::regression && row.verdict != Verdict::missed;
 }
 
+/// What a row adds to the row of its case: the worst verdict stands for the case, then the error nearest to its target.
+bool is_harder(const VerifyRow& row, const VerifyRow& other) {
+  const auto share = [](const VerifyRow& one) {
+    const double part = one.errors.back() / one.target;
+    return std::isnan(part) ? std::numeric_limits<double>::infinity() : part;
+  };
+  return row.verdict != other.verdict ? row.verdict > other.verdict : share(row) > share(other);
+}
+
+/// The rows of one case, which stand one after the other in the table.
+struct CaseSummary {
+  const VerifyRow* hardest = nullptr;  ///< of its measures
+  int measures = 0, met = 0, controls = 0, controls_failing = 0;
+
+  void add(const VerifyRow& row) {
+    const bool is_met = row.verdict == Verdict::met;
+    if (row.control) {
+      ++controls;
+      controls_failing += is_met;
+      return;
+    }
+    ++measures;
+    met += is_met;
+    if (!hardest || is_harder(row, *hardest)) hardest = &row;
+  }
+};
+
+std::vector<CaseSummary> by_case(const Rows& rows) {
+  std::vector<CaseSummary> cases;
+  const VerifyRow* last = nullptr;
+  for (const VerifyRow& row : rows) {
+    if (!last || row.scene != last->scene) cases.emplace_back();
+    cases.back().add(row);
+    last = &row;
+  }
+  std::erase_if(cases, [](const CaseSummary& one) { return !one.hardest; });
+  return cases;
+}
+
+std::string verdict_cell(Verdict verdict) {
+  return cell(verdict == Verdict::met ? "yes" : "**" + word_of(verdict) + "**");
+}
+
+std::string part_of(int part, int all) { return std::to_string(part) + " of " + std::to_string(all); }
+
+std::string case_line(const CaseSummary& one) {
+  const VerifyRow& row = *one.hardest;
+  return "|" + cell(row.scene) + cell(row.what) + cell(joined({row.errors.back()}, "breaks")) +
+         cell(order_text(row.order)) + cell(target_text(row)) + verdict_cell(row.verdict) +
+         cell(part_of(one.met, one.measures)) + cell(part_of(one.controls_failing, one.controls)) + "\n";
+}
+
 /// "- **case**, measure: reason" of the measures that have something to tell.
 template <class Reason>
 std::string list_of(const Rows& rows, const std::string& heading, Reason reason) {
@@ -188,6 +241,16 @@ std::string runs_csv(const std::vector<VerifyRow>& rows) {
   return text;
 }
 
+std::string cases_markdown(const Rows& rows) {
+  std::string table =
+      "| case | measure nearest to its target | finest error | order | target | met | measures met | controls that "
+      "fail "
+      "|\n|---|---|---|---|---|---|---|---|\n";
+  for (const CaseSummary& one : by_case(rows)) table += case_line(one);
+  const auto shortfall = [](const VerifyRow& row) { return row.verdict == Verdict::guarded ? row.shortfall : ""; };
+  return verify_totals(rows) + ".\n\n" + table + list_of(rows, "Known to be missed, and guarded", shortfall);
+}
+
 std::string rows_markdown(const Rows& rows) {
   std::string table =
       "| case | error of | reference | spacing [m] | errors | order | target | target over error | wall [s] | million "
@@ -196,16 +259,24 @@ std::string rows_markdown(const Rows& rows) {
     table += "|" + cell(row.scene) + cell(row.what) + cell(reference_text(row)) + cell(joined_spacings(row)) +
              cell(joined(row.errors, "breaks")) + cell(order_text(row.order)) + cell(target_text(row)) +
              cell(slack_text(row)) + cell(format_number(wall_of(row), 2)) + cell(short_number(judged(row).mpps())) +
-             cell(row.verdict == Verdict::met ? "yes" : "**" + word_of(row.verdict) + "**") + "\n";
-  const auto shortfall = [](const VerifyRow& row) { return row.verdict == Verdict::guarded ? row.shortfall : ""; };
+             verdict_cell(row.verdict) + "\n";
   const auto loose = [](const VerifyRow& row) -> std::string {
     return !is_loose(row) ? "" : row.loose.empty() ? "no reason given" : row.loose;
   };
   const auto bare = [](const VerifyRow& row) { return std::string(row.controlled ? "" : "none"); };
-  return verify_totals(rows) + ".\n" + slack_totals(rows) + ".\n\n" + table +
-         list_of(rows, "Known to be missed, and guarded", shortfall) +
-         list_of(rows, "Targets more than three times the error", loose) +
+  return slack_totals(rows) + ".\n\n" + table + list_of(rows, "Targets more than three times the error", loose) +
          list_of(rows, "Without a control that has to miss them", bare);
+}
+
+std::string rows_page(const Rows& rows, const std::string& page) {
+  const std::string link = "[" + page + "](../" + page + ")";
+  return "# Verification, row by row\n\nAll measures and controls of a run of `geodrop verify`, with the errors on "
+         "each "
+         "grid. " +
+         link +
+         " has one row for each case and explains the columns. Wall times are of all runs of a row, the "
+         "speed is that of the last run. `geodrop verify --page` writes this page.\n\n" +
+         rows_markdown(rows) + "\nWhere to go on: " + link + " for stability, bases, transfers and models.\n";
 }
 
 std::string with_generated_part(const std::string& page, const std::string& generated) {

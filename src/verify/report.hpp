@@ -23,8 +23,13 @@ std::string rows_csv(const std::vector<VerifyRow>& rows);
 /// verification_runs.csv, a line for each run of each row.
 std::string runs_csv(const std::vector<VerifyRow>& rows);
 
-/// The table for the page, and lists: known misses, loose targets, measures without a control.
+/// The summary: one line for each case with its hardest measure (the worst verdict, then the largest error over
+/// target), and a list of the known misses.
+std::string cases_markdown(const std::vector<VerifyRow>& rows);
+/// One line for each measure and control, and lists: loose targets, measures without a control.
 std::string rows_markdown(const std::vector<VerifyRow>& rows);
+/// The same as a page of its own in a directory below `page`, the name of the page with the summary.
+std::string rows_page(const std::vector<VerifyRow>& rows, const std::string& page);
 
 /// A page with the lines between "<!-- geodrop verify -->" and "<!-- end of geodrop verify -->" replaced. Throws
 /// RunError if it does not have both.

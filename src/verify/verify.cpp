@@ -125,22 +125,26 @@ std::string draw(const std::vector<WorkPicture>& pictures, const fs::path& direc
   for (const WorkPicture& picture : pictures) {
     const std::string file = picture.name + ".svg";
     write_chart(picture.chart, directory / file);
-    links += (links.empty() ? "" : ", ") + ("[" + picture.name.substr(std::string("work_precision_").size()) + "](") +
+    links += (links.empty() ? "" : ",\n") + ("[" + picture.name.substr(std::string("work_precision_").size()) + "](") +
              path + file + ")";
   }
-  return links.empty() ? "" : "\nError against wall time, particle-steps and memory: " + links + ".\n";
+  return links.empty() ? "" : "\nError against wall time, particle-steps and memory:\n" + links + ".\n";
 }
 
 void write_results(const std::vector<VerifyRow>& rows, const VerifyOptions& options) {
   write_file_atomically(options.directory / "verification.csv", rows_csv(rows));
   write_file_atomically(options.directory / "verification_runs.csv", runs_csv(rows));
   const std::vector<WorkPicture> pictures = work_precision_pictures(rows);
-  const std::string text = rows_markdown(rows);
-  write_file_atomically(options.directory / "verification.md", text + draw(pictures, options.directory, ""));
+  const std::string cases = cases_markdown(rows);
+  write_file_atomically(options.directory / "verification.md",
+                        cases + draw(pictures, options.directory, "") + "\n" + rows_markdown(rows));
   if (options.page.empty()) return;
   const fs::path beside = options.page.parent_path() / options.page.stem();
-  const std::string links = draw(pictures, beside, options.page.stem().string() + "/");
-  write_file_atomically(options.page, with_generated_part(read_text(options.page), text + links));
+  const std::string path = options.page.stem().string() + "/";
+  const std::string links =
+      draw(pictures, beside, path) + "\nAll measures and controls: [rows](" + path + "rows.md).\n";
+  write_file_atomically(beside / "rows.md", rows_page(rows, options.page.filename().string()));
+  write_file_atomically(options.page, with_generated_part(read_text(options.page), cases + links));
 }
 
 }  // namespace

@@ -150,6 +150,7 @@ TEST_CASE("The generated part of a page is replaced, the rest of it stays") {
   CHECK(text.starts_with("before\n<!-- geodrop verify -->\n1 of 1 targets met"));
   CHECK(text.ends_with("\n<!-- end of geodrop verify -->\nafter\n"));
   CHECK_FALSE(contains(text, "an earlier table"));
+  CHECK(contains(read_file(directory / "page/rows.md"), "| bar | period, first | 10 s: 4 L "));
   std::ofstream(page) << "no marks\n";
   const Outcome refused = run_program({"verify", scene, "--output", directory / "results", "--page", page});
   CHECK(refused.code == 1);

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "support/text.hpp"
 
 using namespace geodrop;
@@ -78,6 +80,39 @@ TEST_CASE("The table shows what a row is held to, and by what kind of reference"
   CHECK(test::contains(rows_markdown({control(Verdict::met)}), "| has to miss: height |"));
   VerifyRow known = row(Verdict::guarded);
   known.shortfall = "too short";
-  CHECK(test::contains(rows_markdown({known}), "Known to be missed, and guarded:\n- **tower**, height: too short"));
+  CHECK(test::contains(cases_markdown({known}), "Known to be missed, and guarded:\n- **tower**, height: too short"));
   CHECK(test::contains(rows_markdown({known}), "| **known, guarded** |"));
+}
+
+TEST_CASE("The summary has a line for each case: its worst verdict, then the error nearest to its target") {
+  VerifyRow easy = row(Verdict::met, 0.001), hard = row(Verdict::met, 0.015), bridge = row(Verdict::met, 0.019);
+  hard.what = "width";
+  hard.errors = {0.06, 0.015};
+  hard.order = 2;
+  bridge.scene = "bridge";
+  const std::string both = cases_markdown({easy, hard, control(Verdict::met), control(Verdict::missed), bridge});
+  CHECK(test::contains(both,
+                       "| tower | width | 0.015 | 2.0 | <= 0.02 | yes | 2 of 2 | 1 of 2 |\n"
+                       "| bridge | height | 0.019 | 0.0 | <= 0.02 | yes | 1 of 1 | 0 of 0 |\n"));
+  VerifyRow guarded = row(Verdict::guarded, 0.021, 0.03);
+  guarded.target = 0.02;
+  CHECK(test::contains(cases_markdown({bridge, guarded, row(Verdict::missed, 0.0201), hard}),
+                       "| tower | height | 0.0201 | 0.0 | <= 0.02 | **NO** | 1 of 3 | 0 of 0 |\n"));
+  CHECK(test::contains(cases_markdown({guarded, hard}),
+                       "| tower | height | 0.021 | 0.0 | <= 0.03 (0.02) | **known, guarded** | 1 of 2 | 0 of 0 |\n"));
+}
+
+TEST_CASE("A case that breaks is its hardest measure; one of controls alone has no line in the summary") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  VerifyRow broken = row(Verdict::missed, nan);
+  broken.what = "width";
+  const std::string text = cases_markdown({row(Verdict::missed, 7), broken});
+  CHECK(test::contains(text, "| tower | width | breaks | 0.0 | <= 0.02 | **NO** | 0 of 2 | 0 of 0 |\n"));
+  CHECK_FALSE(test::contains(cases_markdown({control(Verdict::met)}), "tower"));
+}
+
+TEST_CASE("The page of all rows names the page that it belongs to") {
+  const std::string page = rows_page({row(Verdict::met)}, "verification.md");
+  CHECK(test::contains(page, "[verification.md](../verification.md)"));
+  CHECK(test::contains(page, rows_markdown({row(Verdict::met)})));
 }
