@@ -1,12 +1,20 @@
 // Constitutive laws. A law sees one point, or one packet of points with the lanes as points; never an array.
 // `R` is double or a packet type (GCC vector extension); laws are written with `select`, without branches.
+//
+// A law consists of its constants, all of them doubles, and of `state`, which calls f with each of its state variables
+// among the fields of particles (fields.hpp): those are allocated. Beside them every point has its volume ratio J. All
+// that goes through the laws follows from the list `Material`.
 #pragma once
 
 #include <geodrop/scene.hpp>
 #include <geodrop/types.hpp>
 
 #include <array>
+#include <bit>
+#include <concepts>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace geodrop {
@@ -24,6 +32,10 @@ struct Newtonian {
   bool viscous() const { return viscosity > 0 || mixing_length > 0; }
   /// At J = infinity p = -K.
   bool cavitates() const { return tension_cutoff < bulk_modulus; }
+
+  void state(auto& points, auto f) const {
+    if (viscous()) f(points.stress);
+  }
 };
 
 /// Isotropic hypoelasticity in Cauchy stress.
@@ -31,6 +43,8 @@ struct LinearElastic {
   double density;        ///< [kg/m3]
   double bulk_modulus;   ///< [Pa]
   double shear_modulus;  ///< [Pa]
+
+  void state(auto& points, auto f) const { f(points.stress); }
 };
 
 /// Elastic, perfectly plastic Mohr-Coulomb with a non-associated flow rule and a tension cut-off.
@@ -43,19 +57,64 @@ struct MohrCoulomb {
   double sin_psi;
   double tension_cutoff;  ///< largest principal effective stress [Pa]; <= c cot(phi)
   double pore_stiffness;  ///< K_f / n [Pa]; 0: drained
+
+  void state(auto& points, auto f) const {
+    f(points.stress);
+    f(points.deviatoric_strain);
+    if (pore_stiffness > 0) f(points.pore_pressure);
+  }
 };
 
 /// The same without dilatancy, where what opens at the cut-off closes again without stress; see materials/void_memory.
-struct MohrCoulombWithVoids : MohrCoulomb {};
+struct MohrCoulombWithVoids : MohrCoulomb {
+  void state(auto& points, auto f) const {
+    MohrCoulomb::state(points, f);
+    f(points.gap);
+  }
+};
 
 /// Compressible neo-Hookean solid at finite strain; needs the deformation gradient.
 struct NeoHookean {
   double density;        ///< unstrained [kg/m3]
   double lame_lambda;    ///< [Pa]
   double shear_modulus;  ///< mu [Pa]
+
+  void state(auto& points, auto f) const {
+    f(points.stress);
+    f(points.deformation);
+  }
 };
 
+/// The list of laws. A checkpoint holds their numbers: new ones come last.
 using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids>;
+
+/// The constants of a law as plain numbers, for checkpoints.
+template <class Law>
+auto constants_of(const Law& law) {
+  return std::bit_cast<std::array<double, sizeof(Law) / sizeof(double)>>(law);
+}
+
+/// Converts to a double and to nothing else.
+struct OnlyDouble {
+  template <std::same_as<double> T>
+  operator T() const;
+};
+
+/// Whether a law consists of doubles and nothing else: can be made of as many of them as fill its memory.
+template <class Law>
+inline constexpr bool only_doubles = []<std::size_t... i>(std::index_sequence<i...>) {
+  return sizeof(Law) == sizeof...(i) * sizeof(double) && requires { Law{(static_cast<void>(i), OnlyDouble{})...}; };
+}
+(std::make_index_sequence<sizeof(Law) / sizeof(double)>{});
+
+template <class... Law>
+constexpr bool all_only_doubles(std::type_identity<std::variant<Law...>>) {
+  return (only_doubles<Law> && ...);
+}
+static_assert(all_only_doubles(std::type_identity<Material>{}), "the constants of a law have to be doubles");
+
+/// A law of number `index` in the list, all constants zero.
+Material blank_law(std::size_t index);
 
 Material make_material(const MaterialSpec& spec);
 

@@ -52,10 +52,13 @@ NeoHookean make(const NeoHookeanSpec& spec) {
 }
 
 double wave_modulus(const Newtonian& fluid) { return fluid.bulk_modulus; }
-double wave_modulus(const LinearElastic& solid) { return confined_modulus(solid.bulk_modulus, solid.shear_modulus); }
 double wave_modulus(const NeoHookean& solid) { return solid.lame_lambda + 2 * solid.shear_modulus; }
-double wave_modulus(const MohrCoulomb& soil) {
-  return confined_modulus(soil.bulk_modulus, soil.shear_modulus) + soil.pore_stiffness;
+/// Of a skeleton, and of the water in its pores.
+template <class Solid>
+double wave_modulus(const Solid& solid) {
+  const double skeleton = confined_modulus(solid.bulk_modulus, solid.shear_modulus);
+  if constexpr (requires { solid.pore_stiffness; }) return skeleton + solid.pore_stiffness;
+  return skeleton;
 }
 
 }  // namespace
@@ -66,9 +69,18 @@ Material make_material(const MaterialSpec& spec) {
   return std::visit([](const auto& model) -> Material { return make(model); }, spec.model);
 }
 
+Material blank_law(std::size_t index) {
+  return []<class... Law>(std::type_identity<std::variant<Law...>>, std::size_t number) {
+    return std::array<Material, sizeof...(Law)>{Law{}...}[number];
+  }(std::type_identity<Material>{}, index);
+}
+
 const MohrCoulomb* soil_law(const Material& material) {
-  if (const auto* with_voids = std::get_if<MohrCoulombWithVoids>(&material)) return with_voids;
-  return std::get_if<MohrCoulomb>(&material);
+  const auto as_soil = []<class Law>(const Law& law) -> const MohrCoulomb* {
+    if constexpr (std::is_base_of_v<MohrCoulomb, Law>) return &law;
+    return nullptr;
+  };
+  return std::visit(as_soil, material);
 }
 
 double reference_density(const Material& material) {

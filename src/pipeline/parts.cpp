@@ -22,19 +22,7 @@ void add(const Array<T>& field, std::uint64_t& hash) {
 
 template <int Dim>
 void add(const Grid<Dim>& grid, std::uint64_t& hash) {
-  add(grid.sum, hash);
-  add(grid.force, hash);
-  add(grid.velocity, hash);
-  add(grid.velocity_change, hash);
-  add(grid.mass_correction, hash);
-  add(grid.cell_volume, hash);
-  add(grid.cell_pressure, hash);
-  add(grid.volume_rate, hash);
-  add(grid.cell_flags, hash);
-  add(grid.node_volume, hash);
-  add(grid.node_pressure, hash);
-  add(grid.node_rate, hash);
-  add(grid.taken, hash);
+  for_each_array<any_role>(grid, [&](const auto& values) { add(values, hash); });
   for (const EnclosedCells& cells : grid.enclosed) {
     add(cells.area, hash);
     add(cells.pressure, hash);
