@@ -1,24 +1,57 @@
 // Constitutive laws. A law sees one point, or one packet of points with the lanes as points; never an array.
 // `R` is double or a packet type (GCC vector extension); laws are written with `select`, without branches.
 //
-// A law consists of its constants, all of them doubles, and of `state`, which calls f with each of its state variables
-// among the fields of particles (fields.hpp): those are allocated. Beside them every point has its volume ratio J. All
-// that goes through the laws follows from the list `Material`.
+// Here stand the state variables of points and, of each law, what the user wrote (XSpec, in SI units) and its constants
+// (X), all of them doubles; `state` calls f with each of the state variables that the law keeps: those are allocated.
+// All that goes through the laws follows from the list `Material`. The law at work is in src/materials.
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <geodrop/types.hpp>
+#include <geodrop/arrays.hpp>
+#include <geodrop/error.hpp>
 
 #include <array>
 #include <bit>
 #include <concepts>
 #include <limits>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 namespace geodrop {
 
+/// What laws keep of a point beside its volume ratio J. In the list in the order of the checkpoint.
+template <int Dim>
+struct StateVariables {
+  std::array<Array<double>, stress_components<Dim>>
+      stress;                                        ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
+  std::array<Array<double>, Dim * Dim> deformation;  ///< neo-Hookean: F, row-major [-]
+  Array<double> pore_pressure;                       ///< undrained soil [Pa]
+  Array<double> deviatoric_strain;                   ///< soil: accumulated sqrt(2/3 e:e) [-]
+  Array<double> gap;                                 ///< soil with void memory: volume of open voids over its own [-]
+};
+
+template <int Dim>
+inline constexpr auto state_variables = [] {
+  using namespace particle_role;
+  using S = StateVariables<Dim>;
+  return std::tuple{field<per_particle | scattered | gathered>("stress", "Pa", &S::stress),
+                    field<per_particle | gathered>("deformation", "-", &S::deformation),
+                    field<per_particle | scattered | gathered | shown>("pore_pressure", "Pa", &S::pore_pressure),
+                    field<per_particle | gathered | shown>("deviatoric_strain", "-", &S::deviatoric_strain),
+                    field<per_particle | gathered | shown_if_any>("gap", "-", &S::gap)};
+}();
+
+/// Newtonian, weakly compressible: p = K (rho / rho0 - 1), at least -tension_cutoff; deviator 2 mu dev(D).
+struct NewtonianSpec {
+  double density = 0;        ///< at zero pressure [kg/m3]
+  double bulk_modulus = 0;   ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
+  double viscosity = 0;      ///< dynamic [Pa s]
+  double mixing_length = 0;  ///< of eddies that are not resolved [m]; 0: none
+  double tension_cutoff = std::numeric_limits<double>::infinity();  ///< largest suction [Pa]; infinite: any
+  bool operator==(const NewtonianSpec&) const = default;
+};
 /// p = K (1/J - 1), deviator 2 (mu + mu_t) dev(D). J = rho0 / rho. Eddies smaller than the mixing length l mix as
 /// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963). Water that cavitates keeps p = -T however
 /// far it opens: p is a function of J all the same, so that voids close again without a loss of volume.
@@ -38,6 +71,13 @@ struct Newtonian {
   }
 };
 
+/// Hypoelastic with logarithmic strain and a rotated (Hughes-Winget) Cauchy stress.
+struct LinearElasticSpec {
+  double density = 0;         ///< [kg/m3]
+  double youngs_modulus = 0;  ///< [Pa]
+  double poissons_ratio = 0;  ///< [-]
+  bool operator==(const LinearElasticSpec&) const = default;
+};
 /// Isotropic hypoelasticity in Cauchy stress.
 struct LinearElastic {
   double density;        ///< [kg/m3]
@@ -47,6 +87,27 @@ struct LinearElastic {
   void state(auto& points, auto f) const { f(points.stress); }
 };
 
+/// Fluid in the pores of an undrained soil: pore pressure rate = -(K_f / n) div v.
+struct UndrainedSpec {
+  double porosity = 0;            ///< [-]
+  double fluid_bulk_modulus = 0;  ///< [Pa]
+  /// Share of the pores that water fills, where K_f follows from it [-]; empty: K_f is the user's own.
+  std::optional<double> saturation = {};
+  bool operator==(const UndrainedSpec&) const = default;
+};
+/// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
+struct MohrCoulombSpec {
+  double density = 0;                      ///< of the mixture [kg/m3]; the scene may give that of the grains instead
+  double youngs_modulus = 0;               ///< [Pa]
+  double poissons_ratio = 0;               ///< [-]
+  double cohesion = 0;                     ///< [Pa]
+  double friction_angle_deg = 0;           ///< [degree]
+  double dilatancy_angle_deg = 0;          ///< [degree]
+  double tension_cutoff = 0;               ///< largest principal effective stress [Pa], at most c cot(phi)
+  std::optional<UndrainedSpec> undrained;  ///< empty: drained
+  bool void_memory = false;                ///< what opens at the cut-off closes again without stress
+  bool operator==(const MohrCoulombSpec&) const = default;
+};
 /// Elastic, perfectly plastic Mohr-Coulomb with a non-associated flow rule and a tension cut-off.
 struct MohrCoulomb {
   double density;        ///< of the mixture [kg/m3]
@@ -73,6 +134,13 @@ struct MohrCoulombWithVoids : MohrCoulomb {
   }
 };
 
+/// Compressible neo-Hookean solid: sigma = (mu / J) (F F^T - I) + (lambda ln J / J) I.
+struct NeoHookeanSpec {
+  double density = 0;         ///< unstrained [kg/m3]
+  double youngs_modulus = 0;  ///< at small strain [Pa]
+  double poissons_ratio = 0;  ///< [-]
+  bool operator==(const NeoHookeanSpec&) const = default;
+};
 /// Compressible neo-Hookean solid at finite strain; needs the deformation gradient.
 struct NeoHookean {
   double density;        ///< unstrained [kg/m3]
@@ -87,6 +155,13 @@ struct NeoHookean {
 
 /// The list of laws. A checkpoint holds their numbers: new ones come last.
 using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids>;
+
+struct MaterialSpec {
+  std::string name;
+  std::variant<NewtonianSpec, LinearElasticSpec, MohrCoulombSpec, NeoHookeanSpec> model;
+  SourceRef at;
+  bool operator==(const MaterialSpec&) const = default;
+};
 
 /// The constants of a law as plain numbers, for checkpoints.
 template <class Law>
