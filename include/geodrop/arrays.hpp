@@ -63,7 +63,7 @@ template <unsigned roles, class Owner, class F>
 
 /// Calls f(array) for a field, or for each of its components.
 template <class Values, class F>
-void for_each_component(Values& values, F&& f) {
+[[gnu::always_inline]] inline void for_each_component(Values& values, F&& f) {
   if constexpr (requires { values.front().size(); })
     for (auto& component : values) f(component);
   else
@@ -72,7 +72,7 @@ void for_each_component(Values& values, F&& f) {
 
 /// Calls f(array) for each array of the fields that have one of the roles.
 template <unsigned roles, class Owner, class F>
-void for_each_array(Owner& owner, F&& f) {
+[[gnu::always_inline]] inline void for_each_array(Owner& owner, F&& f) {
   for_each_field<roles>(owner, [&](const auto&, auto& values) { for_each_component(values, f); });
 }
 
