@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <geodrop/fields.hpp>
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/scene.hpp>
 #include <geodrop/types.hpp>
@@ -145,37 +146,79 @@ struct PartCell {
   std::array<double, 9> elsewhere{};             ///< int N over the rest of the cell, likewise [m2]
 };
 
-/// Everything that the stages of one step hand to each other: one velocity field. Cleared anew each step, so not part
-/// of a checkpoint. Entries outside the active blocks are zero. Arrays that no stage of the pipeline needs have length
-/// zero.
-template <int Dim>
-struct Grid {
-  GridLayout<Dim> layout;
-  int field = 0;                       ///< bodies, membranes and tracers of this number move with it
-  Array<std::uint32_t> active_blocks;  ///< sorted; blocks that particles may touch until the next sort
-  /// Nodes below it (on a graded grid: times the widths of their splines) share their impulse with their neighbours,
-  /// see grid/momentum [kg].
-  double light_mass = 0;
+/// What a field of the grid takes part in, and what needs it.
+namespace grid_role {
+enum : unsigned {
+  zero_each_step = 1,    ///< before particles are summed
+  zero_asleep = 2,       ///< in a block that goes to sleep
+  folded = 4,            ///< ghosts of walls hand their sums on
+  velocity_like = 8,     ///< walls impose it
+  for_all = 16,          ///< every grid has it
+  for_light = 32,        ///< stresses apart from momentum, for nodes of small mass
+  for_change = 64,       ///< Transfer::blend and musl, mass_correction, relaxation
+  for_consistent = 128,  ///< MassMatrix::consistent
+  for_cells = 256,       ///< PressureSupport::cell, particles that shift
+  for_nodal = 512,       ///< PressureSupport::nodal
+  for_sharp = 1024       ///< fields that meet at a sharp interface
+};
+}  // namespace grid_role
 
+/// The fields of a grid by the flat index of its nodes, each also an entry of grid_fields. Those that no stage of the
+/// pipeline needs have length zero.
+struct GridFields {
   Array<Vec4> sum;    ///< momentum in lanes 0..Dim-1 [kg m/s], mass in lane 3 [kg]; 2D: volume in lane 2 [m3]
   Array<Vec4> force;  ///< force from stresses in lanes 0..Dim-1 [N]; 3D: volume in lane 3 [m3]. Without it, dt force is
                       ///< in `sum`
-  Array<Vec4> velocity;  ///< v' in lanes 0..Dim-1 [m/s]; fill ratio in lane 3 where particles shift
-  Array<Vec4>
-      velocity_change;  ///< v' - v [m/s]; only for Transfer::blend and musl, with mass_correction and relaxation
-
-  Array<Vec4>
-      mass_correction;  ///< what the consistent mass matrix adds to both [m/s]; only with MassMatrix::consistent
+  Array<Vec4> velocity;         ///< v' in lanes 0..Dim-1 [m/s]; fill ratio in lane 3 where particles shift
+  Array<Vec4> velocity_change;  ///< v' - v [m/s]
+  Array<Vec4> mass_correction;  ///< what the consistent mass matrix adds to both [m/s]
 
   Array<double> cell_volume;    ///< sum of particle volumes of a cell [m3]
   Array<double> cell_pressure;  ///< P_c [Pa]; 0 unless filled
   Array<double> volume_rate;    ///< D_c [1/s]
   Array<std::uint8_t> cell_flags;
 
-  // Only where a body has PressureSupport::nodal:
   Array<double> node_volume;    ///< sum N V_p [m3]
   Array<double> node_pressure;  ///< sum N V_p p_p, then their mean P_i [Pa]
   Array<double> node_rate;      ///< sum N V_p tr L_p, then their mean D_i [1/s]
+
+  Array<double> taken;  ///< share of each cell that bodies of other fields have [-]
+};
+
+inline constexpr auto grid_fields = [] {
+  using namespace grid_role;
+  using G = GridFields;
+  constexpr unsigned summed = zero_each_step | zero_asleep;
+  return std::tuple{field<for_all | summed | folded>("sum", "kg m/s, kg", &G::sum),
+                    field<for_light | summed | folded>("force", "N", &G::force),
+                    field<for_all | zero_asleep | velocity_like>("velocity", "m/s", &G::velocity),
+                    field<for_change | zero_asleep | velocity_like>("velocity_change", "m/s", &G::velocity_change),
+                    field<for_consistent>("mass_correction", "m/s", &G::mass_correction),
+                    field<for_cells | summed>("cell_volume", "m3", &G::cell_volume),
+                    field<for_cells | summed>("cell_pressure", "Pa", &G::cell_pressure),
+                    field<for_cells | zero_asleep>("volume_rate", "1/s", &G::volume_rate),
+                    field<for_cells | zero_asleep>("cell_flags", "-", &G::cell_flags),
+                    field<for_nodal | summed>("node_volume", "m3", &G::node_volume),
+                    field<for_nodal | summed>("node_pressure", "Pa", &G::node_pressure),
+                    field<for_nodal | summed>("node_rate", "1/s", &G::node_rate),
+                    field<for_sharp>("taken", "-", &G::taken)};
+}();
+
+constexpr const auto& fields_of(const GridFields&) { return grid_fields; }
+
+static_assert(count_arrays<any_role>(grid_fields) * sizeof(Array<double>) == sizeof(GridFields),
+              "a field of the grid is not in the list");
+
+/// Everything that the stages of one step hand to each other: one velocity field. Cleared anew each step, so not part
+/// of a checkpoint. Entries outside the active blocks are zero.
+template <int Dim>
+struct Grid : GridFields {
+  GridLayout<Dim> layout;
+  int field = 0;                       ///< bodies, membranes and tracers of this number move with it
+  Array<std::uint32_t> active_blocks;  ///< sorted; blocks that particles may touch until the next sort
+  /// Nodes below it (on a graded grid: times the widths of their splines) share their impulse with their neighbours,
+  /// see grid/momentum [kg].
+  double light_mass = 0;
 
   /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, with h as
   /// the unit of length.
@@ -191,7 +234,6 @@ struct Grid {
 
   // Only where fields meet at a sharp interface:
   CutCells outline;                  ///< of the sharp membrane whose body moves with this field; else empty
-  Array<double> taken;               ///< share of each cell that bodies of other fields have [-]
   std::vector<PartCell> part_cells;  ///< of which this field has a part
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk

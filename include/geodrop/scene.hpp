@@ -3,11 +3,11 @@
 // `==` compares every value, the positions in the file included.
 #pragma once
 
+#include <geodrop/materials.hpp>
 #include <geodrop/scene/bodies.hpp>
 #include <geodrop/scene/contacts.hpp>
 #include <geodrop/scene/initial.hpp>
 #include <geodrop/scene/loads.hpp>
-#include <geodrop/scene/materials.hpp>
 #include <geodrop/scene/measurements.hpp>
 #include <geodrop/scene/numerics.hpp>
 #include <geodrop/scene/shapes.hpp>

@@ -1,7 +1,9 @@
 // The whole state of a simulation: what a checkpoint holds and what stages write. No pointers, no handles.
 #pragma once
 
+#include <geodrop/fields.hpp>
 #include <geodrop/materials.hpp>
+#include <geodrop/scene.hpp>
 #include <geodrop/types.hpp>
 
 #include <array>
@@ -14,11 +16,8 @@ namespace geodrop {
 /// Velocity field of what a later stage of the scene places: none.
 inline constexpr int waiting = -1;
 
-/// One body: its law and its particles, one array per scalar component (structure of arrays). All arrays
-/// have `size()` entries or, where the body has no such quantity, none.
-/// Particles are kept sorted by base cell (see grid/sort_particles); `id` is the order at the start.
-template <int Dim>
-struct Body {
+/// What a body is, apart from its particles.
+struct BodySettings {
   std::string name;
   std::string material_name;
   Material material;
@@ -29,39 +28,18 @@ struct Body {
   double half_size = 0;                          ///< half width of a particle's domain (Basis::gimp) [h]
   int enclosed = -1;                             ///< index in Grid::enclosed of its field (PressureSupport::enclosed)
   double unit_weight = 0, weightless_level = 0;  ///< of an enclosed fluid: gamma [N/m3], y0 [m]
+};
 
-  std::array<Array<double>, Dim> x;             ///< position [m]
-  std::array<Array<double>, Dim> v;             ///< velocity [m/s]
-  std::array<Array<double>, Dim * Dim> affine;  ///< C, row-major: dv_a/dx_b ~ affine[a * Dim + b] [1/s]
-  Array<double> mass;                           ///< [kg], per metre of depth in 2D
-  Array<double> J;                              ///< volume ratio to the reference density [-]
-  std::array<Array<double>, stress_components<Dim>>
-      stress;                                        ///< soil: effective Cauchy stress; viscous fluid: deviator [Pa]
-  std::array<Array<double>, Dim * Dim> deformation;  ///< neo-Hookean: F, row-major [-]
-  Array<double> pore_pressure;                       ///< undrained soil [Pa]
-  Array<double> deviatoric_strain;                   ///< soil: accumulated sqrt(2/3 e:e) [-]
-  Array<double> gap;                                 ///< soil with void memory: volume of open voids over its own [-]
-  Array<std::uint32_t> id;                           ///< index at the start
-
-  // Indexed by id, so never permuted:
-  std::array<Array<double>, Dim> initial_x;  ///< [m]
-  Array<std::uint8_t> layer;                 ///< horizontal band at the start
-
-  // Written by sort_particles:
-  Array<std::uint32_t> slab_begin;  ///< first particle of each slab of the grid, one more at the end
-
-  std::size_t size() const { return mass.size(); }
+/// One body: its law and its particles.
+template <int Dim>
+struct Body : BodySettings, Particles<Dim> {
   /// Current volume of particle p [m3], per metre of depth in 2D.
-  double volume(std::size_t p) const { return mass[p] * J[p] / reference_density(material); }
+  double volume(std::size_t p) const { return this->mass[p] * this->J[p] / reference_density(material); }
 };
 
 /// Pressure of particle p of a body [Pa], compression positive, pore pressure included.
 template <int Dim>
 double mean_pressure(const Body<Dim>& body, std::size_t p);
-
-/// Memory of all that the particles of a body have [byte].
-template <int Dim>
-double particle_bytes(const Body<Dim>& body);
 
 /// Tension-only membrane: a polyline of nodes with segments between neighbours (2D).
 template <int Dim>

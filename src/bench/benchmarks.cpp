@@ -1,6 +1,7 @@
 #include "benchmarks.hpp"
 
 #include "../scene/key_table.hpp"
+#include "../setup/initial_stress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,11 +56,8 @@ template <int Dim>
 void renew(Body<Dim>& body) {
   for (int a = 0; a < Dim; ++a)
     for (std::size_t p = 0; p < body.size(); ++p) body.x[a][p] = body.initial_x[a][body.id[p]];
-  const auto fill = [](auto& values, double value) { std::fill(values.begin(), values.end(), value); };
-  fill(body.J, 1.0);
-  for (int c = 0; c < Dim * Dim; ++c) fill(body.deformation[c], c % (Dim + 1) == 0 ? 1.0 : 0.0);
-  for (auto& component : body.stress) fill(component, 0.0);
-  fill(body.pore_pressure, 0.0);
+  std::fill(body.J.begin(), body.J.end(), 1.0);
+  set_unstrained(body);
 }
 
 }  // namespace

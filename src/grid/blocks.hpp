@@ -55,6 +55,14 @@ void for_each_active_real_row(const Grid<Dim>& grid, F&& f) {
   for (std::ptrdiff_t b = 0; b < n; ++b) for_each_real_row_of_block(grid.layout, grid.active_blocks[b], f);
 }
 
+/// Zeroes the fields of a row that have one of the roles.
+template <unsigned roles, class Fields>
+void zero_row(Fields& fields, int begin, int count) {
+  for_each_array<roles>(fields, [&]<class T>(Array<T>& values) {
+    if (!values.empty()) std::fill_n(values.begin() + begin, count, T{});
+  });
+}
+
 /// Runs f on each row of each active block; blocks are shared out among the threads.
 template <int Dim, class F>
 void for_each_active_row(const Grid<Dim>& grid, F&& f) {

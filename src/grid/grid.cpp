@@ -140,35 +140,33 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   grid.light_mass = light_share * lightest_density(scene, bodies) * std::pow(scene.grid.spacing, Dim);
   grid.layout = GridLayout<Dim>(scene.grid, scene.walls);
   const std::size_t n = grid.layout.nodes();
-  const Vec4 zero{};
-  grid.sum.assign(n, zero);
-  grid.velocity.assign(n, zero);
   const auto any_body = [&](auto has) { return std::any_of(bodies.begin(), bodies.end(), has); };
   const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
   const bool change = scene.solver.transfer != Transfer::tpic || consistent ||
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
+  const bool cells = shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
+  unsigned wanted = grid_role::for_all;
+  const auto want = [&](unsigned role, bool needed) { wanted |= needed ? role : 0; };
   // Contact pushes on the outermost nodes, which carry little: their impulses have to go to their neighbourhood.
-  if (change || !scene.contacts.empty() || has_sharp_interface(scene) || (Dim == 3 && shift))
-    grid.force.assign(n, zero);
-  if (change) grid.velocity_change.assign(n, zero);
-  if (consistent) grid.mass_correction.assign(n, zero);
-  if (shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; })) {
-    grid.cell_volume.assign(n, 0.0);
-    grid.cell_pressure.assign(n, 0.0);
-    grid.volume_rate.assign(n, 0.0);
-    grid.cell_flags.assign(n, 0);
+  want(grid_role::for_light, change || !scene.contacts.empty() || has_sharp_interface(scene) || (Dim == 3 && shift));
+  want(grid_role::for_change, change);
+  want(grid_role::for_consistent, consistent);
+  want(grid_role::for_cells, cells);
+  want(grid_role::for_nodal, any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }));
+  want(grid_role::for_sharp, has_sharp_interface(scene));
+  for_each_field<any_role>(grid, [&]<class T>(const auto& entry, Array<T>& values) {
+    if (entry.roles & wanted) values.assign(n, T{});
+  });
+  if (cells) {
     for (int a = 0; a < Dim; ++a) grid.integrals[a] = axis_integrals(grid.layout, a);
     grid.interior_value = interior_cell(grid.layout.basis).value;
   }
-  if (has_sharp_interface(scene)) grid.taken.assign(n, 0.0);
   for (const BodySpec& body : bodies) {
     if (body.pressure != PressureSupport::enclosed) continue;
     grid.enclosed.emplace_back();
     grid.enclosed.back().rate.assign(n, 0.0);
   }
-  if (any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }))
-    for (auto* values : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) values->assign(n, 0.0);
   return grid;
 }
 

@@ -200,14 +200,12 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
 
 template <int Dim>
 void fold_walls(Grid<Dim>& grid) {
-  fold_field(grid, grid.sum);
-  fold_field(grid, grid.force);
+  for_each_array<grid_role::folded>(grid, [&](auto& values) { fold_field(grid, values); });
 }
 
 template <int Dim>
 void impose_wall_velocity(Grid<Dim>& grid) {
-  impose_walls(grid, grid.velocity);
-  impose_walls(grid, grid.velocity_change);
+  for_each_array<grid_role::velocity_like>(grid, [&](auto& values) { impose_walls(grid, values); });
 }
 
 template <int Dim>

@@ -81,30 +81,6 @@ void find_keys(const State<Dim>& state, const Body<Dim>& body, const GridLayout<
   if (bad != n) throw_outside(state, body, static_cast<std::size_t>(bad));
 }
 
-template <class T>
-void permute(Array<T>& values, const Array<std::uint32_t>& order, Array<T>& scratch) {
-  if (values.empty()) return;
-  scratch.resize(values.size());
-  const auto n = static_cast<std::ptrdiff_t>(order.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t p = 0; p < n; ++p) scratch[p] = values[order[p]];
-  values.swap(scratch);
-}
-
-template <int Dim>
-void permute_body(Body<Dim>& body, const Array<std::uint32_t>& order) {
-  Array<double> scratch;
-  for (auto& values : body.x) permute(values, order, scratch);
-  for (auto& values : body.v) permute(values, order, scratch);
-  for (auto& values : body.affine) permute(values, order, scratch);
-  for (auto& values : body.stress) permute(values, order, scratch);
-  for (auto& values : body.deformation) permute(values, order, scratch);
-  for (auto* values : {&body.mass, &body.J, &body.pore_pressure, &body.deviatoric_strain, &body.gap})
-    permute(*values, order, scratch);
-  Array<std::uint32_t> id_scratch;
-  permute(body.id, order, id_scratch);
-}
-
 /// Particles beyond a periodic wall come in at the other one.
 template <int Dim>
 void wrap_particles(Body<Dim>& body, const GridLayout<Dim>& layout) {
@@ -153,7 +129,7 @@ void sort_body(const State<Dim>& state, Body<Dim>& body, const GridLayout<Dim>& 
   if (std::is_sorted(keys.begin(), keys.end())) return;
   Array<std::uint32_t> order(body.size());
   for (std::size_t p = 0; p < keys.size(); ++p) order[begin[keys[p]]++] = static_cast<std::uint32_t>(p);
-  permute_body(body, order);
+  permute(body, order);
 }
 
 /// Marks the blocks of all nodes that a particle can touch until the next sort: its base cell, one cell of drift,
@@ -199,24 +175,11 @@ void mark_across_seams(const GridLayout<Dim>& layout, std::vector<std::uint8_t>&
   }
 }
 
-template <class T>
-void zero_block_row(Array<T>& field, int begin, int count) {
-  if (!field.empty()) std::fill_n(field.begin() + begin, count, T{});
-}
-
-/// Zeroes all fields in a block that goes to sleep: neighbours may still read it.
+/// Zeroes fields in a block that goes to sleep: neighbours may still read it.
 template <int Dim>
 void clear_block(Grid<Dim>& grid, std::uint32_t block) {
   for_each_row_of_block(grid.layout, block, [&](int begin, int count, const auto&) {
-    zero_block_row(grid.sum, begin, count);
-    zero_block_row(grid.force, begin, count);
-    zero_block_row(grid.velocity, begin, count);
-    zero_block_row(grid.velocity_change, begin, count);
-    zero_block_row(grid.cell_volume, begin, count);
-    zero_block_row(grid.cell_pressure, begin, count);
-    zero_block_row(grid.volume_rate, begin, count);
-    zero_block_row(grid.cell_flags, begin, count);
-    for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) zero_block_row(*field, begin, count);
+    zero_row<grid_role::zero_asleep>(grid, begin, count);
   });
 }
 

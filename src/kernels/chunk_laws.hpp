@@ -41,15 +41,9 @@ inline constexpr std::size_t cached_bytes = 4 << 20;
 /// Whether the arrays that scatter and gather pass through leave the cache in between.
 template <int Dim>
 bool leaves_cache(const Body<Dim>& body) {
-  std::size_t numbers = body.J.size() + body.mass.size() + body.pore_pressure.size() + body.deviatoric_strain.size();
-  const auto add = [&](const auto& fields) {
-    for (const auto& field : fields) numbers += field.size();
-  };
-  add(body.x);
-  add(body.v);
-  add(body.affine);
-  add(body.stress);
-  add(body.deformation);
+  std::size_t numbers = 0;
+  for_each_array<particle_role::scattered | particle_role::gathered>(
+      body, [&](const Array<double>& values) { numbers += values.size(); });
   return numbers * sizeof(double) > cached_bytes;
 }
 
@@ -65,10 +59,6 @@ class NextChunk {
   void add(const Array<double>& field) {
     if (from_memory_ && !field.empty()) fields_[count_++] = field.data();
   }
-  template <std::size_t N>
-  void add(const std::array<Array<double>, N>& fields) {
-    for (const auto& field : fields) add(field);
-  }
 
   /// Asks for the share of particle k of the chunk at p: all of them ask for all lines of the next chunk. Addresses
   /// past the end do no harm.
@@ -81,35 +71,15 @@ class NextChunk {
  private:
   bool from_memory_;
   int count_ = 0;
-  std::array<const double*, 2 * (Dim + Dim * Dim) + stress_components<Dim> + 5> fields_;
+  std::array<const double*, count_arrays<particle_role::scattered | particle_role::gathered>(particle_fields<Dim>)>
+      fields_;
 };
 
-/// What scatter reads.
-template <int Dim>
-NextChunk<Dim> next_to_scatter(const Body<Dim>& body) {
+/// What scatter, or gather, wants: the fields of this role.
+template <unsigned role, int Dim>
+NextChunk<Dim> next_to(const Body<Dim>& body) {
   NextChunk<Dim> next(body);
-  next.add(body.x);
-  next.add(body.v);
-  next.add(body.affine);
-  next.add(body.mass);
-  next.add(body.J);
-  next.add(body.stress);
-  next.add(body.pore_pressure);
-  return next;
-}
-
-/// What gather reads or, but for the affine rate that it streams, writes.
-template <int Dim>
-NextChunk<Dim> next_to_gather(const Body<Dim>& body) {
-  NextChunk<Dim> next(body);
-  next.add(body.x);
-  next.add(body.v);
-  next.add(body.J);
-  next.add(body.stress);
-  next.add(body.pore_pressure);
-  next.add(body.deviatoric_strain);
-  next.add(body.gap);
-  next.add(body.deformation);
+  for_each_array<role>(body, [&](const Array<double>& values) { next.add(values); });
   return next;
 }
 

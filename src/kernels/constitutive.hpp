@@ -8,13 +8,13 @@
 namespace geodrop {
 
 /// Calls f(law) with the body's concrete law. A chain of get_if because std::visit does not inline into clones.
-template <class F>
-auto with_law(const Material& material, F&& f) {
-  if (const auto* water = std::get_if<Newtonian>(&material)) return f(*water);
-  if (const auto* solid = std::get_if<LinearElastic>(&material)) return f(*solid);
-  if (const auto* rubber = std::get_if<NeoHookean>(&material)) return f(*rubber);
-  if (const auto* soil = std::get_if<MohrCoulomb>(&material)) return f(*soil);
-  return f(*std::get_if<MohrCoulombWithVoids>(&material));
+template <class F, class... Law>
+void with_law(const std::variant<Law...>& material, F&& f) {
+  const auto one = [&]<class L>(const L* law) {
+    if (law) f(*law);
+    return law != nullptr;
+  };
+  (one(std::get_if<Law>(&material)) || ...);
 }
 
 /// Volume [m3] and pressure [Pa] of a chunk of particles.
@@ -32,33 +32,17 @@ void volumes_and_pressures(const Body<Dim>& body, const Newtonian& water, std::s
   for (int k = 0; k < count; ++k) pressure[k] = std::max(pressure[k], -water.tension_cutoff);
 }
 
-template <int Dim>
-void solid_volumes_and_pressures(const Body<Dim>& body, double density, std::size_t begin, int count, double* volume,
-                                 double* pressure) {
+/// Soil and elastic solids.
+template <int Dim, class Solid>
+void volumes_and_pressures(const Body<Dim>& body, const Solid& solid, std::size_t begin, int count, double* volume,
+                           double* pressure) {
+  const double density = solid.density;
   const double* const pore = body.pore_pressure.empty() ? nullptr : body.pore_pressure.data() + begin;
   for (int k = 0; k < count; ++k) {
     const std::size_t p = begin + k;
     volume[k] = body.mass[p] * body.J[p] / density;
     pressure[k] = (pore ? pore[k] : 0.0) - (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
   }
-}
-
-template <int Dim>
-void volumes_and_pressures(const Body<Dim>& body, const LinearElastic& solid, std::size_t begin, int count,
-                           double* volume, double* pressure) {
-  solid_volumes_and_pressures(body, solid.density, begin, count, volume, pressure);
-}
-
-template <int Dim>
-void volumes_and_pressures(const Body<Dim>& body, const MohrCoulomb& soil, std::size_t begin, int count, double* volume,
-                           double* pressure) {
-  solid_volumes_and_pressures(body, soil.density, begin, count, volume, pressure);
-}
-
-template <int Dim>
-void volumes_and_pressures(const Body<Dim>& body, const NeoHookean& solid, std::size_t begin, int count, double* volume,
-                           double* pressure) {
-  solid_volumes_and_pressures(body, solid.density, begin, count, volume, pressure);
 }
 
 template <int Dim>
@@ -89,16 +73,16 @@ void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t b
 }
 
 /// Soil and elastic solids: total stress sigma' - u 1, less its mean where the cell carries that.
-template <int Dim>
-void carried_solid_stress(const Body<Dim>& body, double density, std::size_t begin, int count, const double* own,
-                          ChunkStress<Dim>& out) {
+template <int Dim, class Solid>
+void carried_stress(const Body<Dim>& body, const Solid& solid, std::size_t begin, int count, const double* own,
+                    ChunkStress<Dim>& out) {
   alignas(64) double removed[chunk_size];
   const double* const mass = body.mass.data() + begin;
   const double* const J = body.J.data() + begin;
   const double* const xx = body.stress[0].data() + begin;
   const double* const yy = body.stress[1].data() + begin;
   const double* const zz = body.stress[2].data() + begin;
-  const double inv_rho = 1 / density;
+  const double inv_rho = 1 / solid.density;
 #pragma omp simd
   for (int k = 0; k < count; ++k) {
     out.volume[k] = mass[k] * inv_rho * J[k];
@@ -115,101 +99,6 @@ void carried_solid_stress(const Body<Dim>& body, double density, std::size_t beg
 #pragma omp simd
     for (int k = 0; k < count; ++k) out.s[c][k] = -out.volume[k] * (sigma[k] - normal * removed[k]);
   }
-}
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const LinearElastic& solid, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  carried_solid_stress(body, solid.density, begin, count, own, out);
-}
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const MohrCoulomb& soil, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  carried_solid_stress(body, soil.density, begin, count, own, out);
-}
-
-template <int Dim>
-void carried_stress(const Body<Dim>& body, const NeoHookean& solid, std::size_t begin, int count, const double* own,
-                    ChunkStress<Dim>& out) {
-  carried_solid_stress(body, solid.density, begin, count, own, out);
-}
-
-template <int Dim, class R>
-std::array<R, Dim * Dim> load_increment(const ChunkRates<Dim>& rates, int k) {
-  std::array<R, Dim * Dim> out;
-  for (int c = 0; c < Dim * Dim; ++c) out[c] = load<R>(&rates.increment[c][k]);
-  return out;
-}
-
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const Newtonian& water, const ChunkRates<Dim>& rates, double dt, std::size_t p,
-                  int k) {
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + load<R>(&rates.volume[k])));
-  if (!water.viscous()) return;
-  const auto s = viscous_stress<Dim, R>(water, dt, load_increment<Dim, R>(rates, k));
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], s[c]);
-}
-
-template <int Dim, class R>
-std::array<R, stress_components<Dim>> load_stress(const Body<Dim>& body, std::size_t p) {
-  std::array<R, stress_components<Dim>> sigma;
-  for (int c = 0; c < stress_components<Dim>; ++c) sigma[c] = load<R>(&body.stress[c][p]);
-  return sigma;
-}
-
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const LinearElastic& solid, const ChunkRates<Dim>& rates, double, std::size_t p,
-                  int k) {
-  const R volume = load<R>(&rates.volume[k]);
-  auto sigma = load_stress<Dim, R>(body, p);
-  update_stress<Dim, R>(solid, load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
-}
-
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const MohrCoulomb& soil, const ChunkRates<Dim>& rates, double, std::size_t p,
-                  int k) {
-  const R volume = load<R>(&rates.volume[k]);
-  auto sigma = load_stress<Dim, R>(body, p);
-  const R strain = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.deviatoric_strain[p], load<R>(&body.deviatoric_strain[p]) + strain);
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
-  if (!body.pore_pressure.empty())
-    store(&body.pore_pressure[p], load<R>(&body.pore_pressure[p]) + pore_pressure_increment(soil, volume));
-}
-
-/// J takes dvol as it is: particles' volumes change by what flows through the surface, to round-off.
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const MohrCoulombWithVoids& soil, const ChunkRates<Dim>& rates, double,
-                  std::size_t p, int k) {
-  const R volume = load<R>(&rates.volume[k]);
-  auto sigma = load_stress<Dim, R>(body, p);
-  R gap = load<R>(&body.gap[p]);
-  const VoidStep<R> step = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma, gap);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.gap[p], gap);
-  store(&body.deviatoric_strain[p], load<R>(&body.deviatoric_strain[p]) + step.deviatoric_strain);
-  store(&body.J[p], load<R>(&body.J[p]) * (1 + volume));
-  if (!body.pore_pressure.empty())
-    store(&body.pore_pressure[p],
-          load<R>(&body.pore_pressure[p]) + pore_pressure_increment<R>(soil, step.volumetric_strain));
-}
-
-/// J is det F: the volume rate of the cell has no part in it.
-template <int Dim, class R>
-void update_point(Body<Dim>& body, const NeoHookean& solid, const ChunkRates<Dim>& rates, double, std::size_t p,
-                  int k) {
-  std::array<R, Dim * Dim> F;
-  for (int c = 0; c < Dim * Dim; ++c) F[c] = load<R>(&body.deformation[c][p]);
-  deform<Dim, R>(load_increment<Dim, R>(rates, k), F);
-  const R J = determinant<R>(F);
-  const auto sigma = neo_hookean_stress<Dim, R>(solid, F, J);
-  for (int c = 0; c < Dim * Dim; ++c) store(&body.deformation[c][p], F[c]);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&body.stress[c][p], sigma[c]);
-  store(&body.J[p], J);
 }
 
 template <int Dim, class Law>

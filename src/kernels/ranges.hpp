@@ -31,7 +31,7 @@ void scatter_range(const Body<Dim>& body, Grid<Dim>& grid, double dt, std::size_
   ChunkWeights<Dim, Basis> weights;
   ChunkStress<Dim> stress;
   alignas(64) double own[chunk_size];
-  const NextChunk<Dim> next = next_to_scatter(body);
+  const NextChunk<Dim> next = next_to<particle_role::scattered>(body);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     compute_weights(grid.layout, pointers(body.x, p), body.half_size, count, weights);
@@ -82,7 +82,7 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
   ChunkRates<Dim> rates;
   alignas(64) double old_x[Dim][chunk_size];
   Maxima maxima;
-  const NextChunk<Dim> next = next_to_gather<Dim>(body);
+  const NextChunk<Dim> next = next_to<particle_role::gathered>(body);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     for (int a = 0; a < Dim; ++a) std::copy_n(body.x[a].data() + p, count, old_x[a]);

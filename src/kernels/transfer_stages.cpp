@@ -48,17 +48,8 @@ void divide_by_volume(Grid<Dim>& grid, Array<double>& field) {
 
 template <int Dim>
 void clear_grid(Grid<Dim>& grid) {
-  for_each_active_row(grid, [&](int begin, int count, const auto&) {
-    const auto zero = [&](auto& field) {
-      if (!field.empty())
-        std::fill_n(field.begin() + begin, count, typename std::decay_t<decltype(field)>::value_type{});
-    };
-    zero(grid.sum);
-    zero(grid.force);
-    zero(grid.cell_volume);
-    zero(grid.cell_pressure);
-    for (auto* field : {&grid.node_volume, &grid.node_pressure, &grid.node_rate}) zero(*field);
-  });
+  for_each_active_row(
+      grid, [&](int begin, int count, const auto&) { zero_row<grid_role::zero_each_step>(grid, begin, count); });
 }
 
 template <int Dim>

@@ -18,4 +18,18 @@ template <int Dim, class R>
   add_elastic<Dim, R>(law, deviator<Dim, R>(dL), dvol, stress);
 }
 
+template <int Dim, class R>
+void update_point(auto& points, const LinearElastic& solid, const auto& rates, double, std::size_t p, int k) {
+  const R volume = load<R>(&rates.volume[k]);
+  auto sigma = load_stress<Dim, R>(points, p);
+  update_stress<Dim, R>(solid, load_increment<Dim, R>(rates, k), volume, sigma);
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
+  store(&points.J[p], load<R>(&points.J[p]) * (1 + volume));
+}
+
+inline LinearElastic make(const LinearElasticSpec& spec) {
+  return {spec.density, bulk_modulus(spec.youngs_modulus, spec.poissons_ratio),
+          shear_modulus(spec.youngs_modulus, spec.poissons_ratio)};
+}
+
 }  // namespace geodrop

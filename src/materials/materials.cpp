@@ -3,59 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "laws.hpp"
 
 namespace geodrop {
 namespace {
 
-double bulk_modulus(double youngs_modulus, double poissons_ratio) {
-  return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio));
-}
-
-double shear_modulus(double youngs_modulus, double poissons_ratio) {
-  return youngs_modulus / (2.0 * (1.0 + poissons_ratio));
-}
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
 /// K + 4G/3 [Pa], of laterally confined compression.
 double confined_modulus(double bulk, double shear) { return bulk + 4.0 / 3.0 * shear; }
 
-Newtonian make(const NewtonianSpec& spec) {
-  return {spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length, spec.tension_cutoff};
-}
-
-LinearElastic make(const LinearElasticSpec& spec) {
-  return {spec.density, bulk_modulus(spec.youngs_modulus, spec.poissons_ratio),
-          shear_modulus(spec.youngs_modulus, spec.poissons_ratio)};
-}
-
-MohrCoulomb make(const MohrCoulombSpec& spec) {
-  MohrCoulomb soil{};
-  soil.density = spec.density;
-  soil.bulk_modulus = bulk_modulus(spec.youngs_modulus, spec.poissons_ratio);
-  soil.shear_modulus = shear_modulus(spec.youngs_modulus, spec.poissons_ratio);
-  soil.cohesion = spec.cohesion;
-  soil.sin_phi = std::sin(radians(spec.friction_angle_deg));
-  soil.cos_phi = std::cos(radians(spec.friction_angle_deg));
-  soil.sin_psi = std::sin(radians(spec.dilatancy_angle_deg));
-  // The return relies on t <= c cot(phi); a value typed in with a few digits may lie just above.
-  soil.tension_cutoff = soil.sin_phi > 0 ? std::min(spec.tension_cutoff, soil.cohesion * soil.cos_phi / soil.sin_phi)
-                                         : spec.tension_cutoff;
-  soil.pore_stiffness = spec.undrained ? spec.undrained->fluid_bulk_modulus / spec.undrained->porosity : 0.0;
-  return soil;
-}
-
-NeoHookean make(const NeoHookeanSpec& spec) {
-  const double shear = shear_modulus(spec.youngs_modulus, spec.poissons_ratio);
-  return {spec.density, bulk_modulus(spec.youngs_modulus, spec.poissons_ratio) - 2.0 / 3.0 * shear, shear};
-}
-
 double wave_modulus(const Newtonian& fluid) { return fluid.bulk_modulus; }
-double wave_modulus(const LinearElastic& solid) { return confined_modulus(solid.bulk_modulus, solid.shear_modulus); }
 double wave_modulus(const NeoHookean& solid) { return solid.lame_lambda + 2 * solid.shear_modulus; }
-double wave_modulus(const MohrCoulomb& soil) {
-  return confined_modulus(soil.bulk_modulus, soil.shear_modulus) + soil.pore_stiffness;
+/// Of a skeleton, and of the water in its pores.
+template <class Solid>
+double wave_modulus(const Solid& solid) {
+  const double skeleton = confined_modulus(solid.bulk_modulus, solid.shear_modulus);
+  if constexpr (requires { solid.pore_stiffness; }) return skeleton + solid.pore_stiffness;
+  return skeleton;
 }
 
 }  // namespace
@@ -66,9 +30,18 @@ Material make_material(const MaterialSpec& spec) {
   return std::visit([](const auto& model) -> Material { return make(model); }, spec.model);
 }
 
+Material blank_law(std::size_t index) {
+  return []<class... Law>(std::type_identity<std::variant<Law...>>, std::size_t number) {
+    return std::array<Material, sizeof...(Law)>{Law{}...}[number];
+  }(std::type_identity<Material>{}, index);
+}
+
 const MohrCoulomb* soil_law(const Material& material) {
-  if (const auto* with_voids = std::get_if<MohrCoulombWithVoids>(&material)) return with_voids;
-  return std::get_if<MohrCoulomb>(&material);
+  const auto as_soil = []<class Law>(const Law& law) -> const MohrCoulomb* {
+    if constexpr (std::is_base_of_v<MohrCoulomb, Law>) return &law;
+    return nullptr;
+  };
+  return std::visit(as_soil, material);
 }
 
 double reference_density(const Material& material) {

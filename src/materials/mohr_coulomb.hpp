@@ -4,8 +4,13 @@
 #include "principal_frame.hpp"
 #include "principal_return.hpp"
 #include "strain.hpp"
+#include "undrained.hpp"
 
 #include <geodrop/materials.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace geodrop {
 
@@ -104,6 +109,36 @@ template <int Dim, class R>
   add_elastic<Dim, R>(law, deviatoric, dvol, stress);
   return_stress(YieldSurface(law), stress);
   return strain;
+}
+
+template <int Dim, class R>
+void update_point(auto& points, const MohrCoulomb& soil, const auto& rates, double, std::size_t p, int k) {
+  const R volume = load<R>(&rates.volume[k]);
+  auto sigma = load_stress<Dim, R>(points, p);
+  const R strain = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma);
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
+  store(&points.deviatoric_strain[p], load<R>(&points.deviatoric_strain[p]) + strain);
+  store(&points.J[p], load<R>(&points.J[p]) * (1 + volume));
+  if (!points.pore_pressure.empty())
+    store(&points.pore_pressure[p], load<R>(&points.pore_pressure[p]) + pore_pressure_increment(soil, volume));
+}
+
+inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+inline MohrCoulomb make(const MohrCoulombSpec& spec) {
+  MohrCoulomb soil{};
+  soil.density = spec.density;
+  soil.bulk_modulus = bulk_modulus(spec.youngs_modulus, spec.poissons_ratio);
+  soil.shear_modulus = shear_modulus(spec.youngs_modulus, spec.poissons_ratio);
+  soil.cohesion = spec.cohesion;
+  soil.sin_phi = std::sin(radians(spec.friction_angle_deg));
+  soil.cos_phi = std::cos(radians(spec.friction_angle_deg));
+  soil.sin_psi = std::sin(radians(spec.dilatancy_angle_deg));
+  // The return relies on t <= c cot(phi); a value typed in with a few digits may lie just above.
+  soil.tension_cutoff = soil.sin_phi > 0 ? std::min(spec.tension_cutoff, soil.cohesion * soil.cos_phi / soil.sin_phi)
+                                         : spec.tension_cutoff;
+  soil.pore_stiffness = spec.undrained ? spec.undrained->fluid_bulk_modulus / spec.undrained->porosity : 0.0;
+  return soil;
 }
 
 }  // namespace geodrop

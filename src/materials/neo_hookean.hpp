@@ -90,4 +90,22 @@ double neo_hookean_wave_modulus(const NeoHookean& law, const Gradient<Dim, doubl
   return law.lame_lambda * (1 - log(J)) + law.shear_modulus * (1 + stretch);
 }
 
+/// J is det F: the volume rate of the cell has no part in it.
+template <int Dim, class R>
+void update_point(auto& points, const NeoHookean& solid, const auto& rates, double, std::size_t p, int k) {
+  std::array<R, Dim * Dim> F;
+  for (int c = 0; c < Dim * Dim; ++c) F[c] = load<R>(&points.deformation[c][p]);
+  deform<Dim, R>(load_increment<Dim, R>(rates, k), F);
+  const R J = determinant<R>(F);
+  const auto sigma = neo_hookean_stress<Dim, R>(solid, F, J);
+  for (int c = 0; c < Dim * Dim; ++c) store(&points.deformation[c][p], F[c]);
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
+  store(&points.J[p], J);
+}
+
+inline NeoHookean make(const NeoHookeanSpec& spec) {
+  const double shear = shear_modulus(spec.youngs_modulus, spec.poissons_ratio);
+  return {spec.density, bulk_modulus(spec.youngs_modulus, spec.poissons_ratio) - 2.0 / 3.0 * shear, shear};
+}
+
 }  // namespace geodrop

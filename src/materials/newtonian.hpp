@@ -22,4 +22,16 @@ template <int Dim, class R>
   return s;
 }
 
+template <int Dim, class R>
+void update_point(auto& points, const Newtonian& water, const auto& rates, double dt, std::size_t p, int k) {
+  store(&points.J[p], load<R>(&points.J[p]) * (1 + load<R>(&rates.volume[k])));
+  if (!water.viscous()) return;
+  const auto s = viscous_stress<Dim, R>(water, dt, load_increment<Dim, R>(rates, k));
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], s[c]);
+}
+
+inline Newtonian make(const NewtonianSpec& spec) {
+  return {spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length, spec.tension_cutoff};
+}
+
 }  // namespace geodrop

@@ -90,4 +90,29 @@ template <int Dim, class R, class Law>
   for (int k = 0; k < stress_components<Dim>; ++k) stress[k] += two_g * deviatoric[k] + (k < 3 ? mean : R{});
 }
 
+// What a law's update_point(points, law, rates, dt, p, k) is made of: it advances the state variables of particle p, or
+// of a packet from p on, by rates of entry k of a chunk, see kernels/chunk_laws.hpp.
+
+template <int Dim, class R>
+std::array<R, Dim * Dim> load_increment(const auto& rates, int k) {
+  std::array<R, Dim * Dim> out;
+  for (int c = 0; c < Dim * Dim; ++c) out[c] = load<R>(&rates.increment[c][k]);
+  return out;
+}
+
+template <int Dim, class R>
+std::array<R, stress_components<Dim>> load_stress(const auto& points, std::size_t p) {
+  std::array<R, stress_components<Dim>> sigma;
+  for (int c = 0; c < stress_components<Dim>; ++c) sigma[c] = load<R>(&points.stress[c][p]);
+  return sigma;
+}
+
+inline double bulk_modulus(double youngs_modulus, double poissons_ratio) {
+  return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio));
+}
+
+inline double shear_modulus(double youngs_modulus, double poissons_ratio) {
+  return youngs_modulus / (2.0 * (1.0 + poissons_ratio));
+}
+
 }  // namespace geodrop

@@ -1,7 +1,8 @@
 // One list of all members of a state, walked by the checkpoint's writer, its reader and the hash.
 //
-// Members are named by structured bindings: a member that is added to the state and not here does not compile. What
-// numbers or counts something is judged in pipeline/check_resumable as well.
+// Fields of particles follow from their list (fields.hpp). Other members are named by structured bindings: a member
+// that is added to the state and not here does not compile. What numbers or counts something is judged in
+// pipeline/check_resumable as well.
 //
 // An archive has `bytes(pointer, count)` for plain data, and `length(n, bytes)`, which is told the present length of a
 // list and the least that each item takes, and answers the length that the list shall have. One that reads also has
@@ -9,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <geodrop/state.hpp>
 #include <string>
@@ -43,17 +45,26 @@ inline constexpr bool is_tracer = false;
 template <int Dim>
 inline constexpr bool is_tracer<Tracer<Dim>> = true;
 
+/// References to the listed fields of an owner, const if it is.
+template <class Owner>
+auto listed_fields(Owner& owner) {
+  return std::apply([&](const auto&... entry) { return std::tie(owner.*entry.values...); }, fields_of(owner));
+}
+
 /// References to all members of a part of the state, const if the part is.
 template <class Part>
 auto members(Part& part) {
   using Plain = std::remove_const_t<Part>;
   if constexpr (is_body<Plain>) {
+    using Settings = std::conditional_t<std::is_const_v<Part>, const BodySettings, BodySettings>;
+    return std::tuple_cat(members<Settings>(part), listed_fields(part));
+  } else if constexpr (std::is_same_v<Plain, BodySettings>) {
     auto& [name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
-           weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure, deviatoric_strain, gap, id,
-           initial_x, layer, slab_begin] = part;
+           weightless_level] = part;
     return std::tie(name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed,
-                    unit_weight, weightless_level, x, v, affine, mass, J, stress, deformation, pore_pressure,
-                    deviatoric_strain, gap, id, initial_x, layer, slab_begin);
+                    unit_weight, weightless_level);
+  } else if constexpr (requires { fields_of(part); }) {
+    return listed_fields(part);
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
            rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction, drag_coefficient,
@@ -116,41 +127,26 @@ concept List = requires(T& list) {
 template <class Archive, class T>
 void walk(Archive& archive, T& value);
 
-/// The law's index, then its constants, which are all doubles.
+/// The law's index, then its constants.
 template <class Archive>
 void walk_material(Archive& archive, const Material& material) {
   const std::uint32_t index = static_cast<std::uint32_t>(material.index());
   archive.bytes(&index, 1);
-  std::visit(
-      [&](const auto& law) { archive.bytes(reinterpret_cast<const double*>(&law), sizeof(law) / sizeof(double)); },
-      material);
+  std::visit([&](const auto& law) { archive.bytes(constants_of(law).data(), constants_of(law).size()); }, material);
 }
 template <class Archive>
 void walk_material(Archive& archive, Material& material) {
   std::uint32_t index = 0;
   archive.bytes(&index, 1);
-  switch (index) {
-    case 0:
-      material = Newtonian{};
-      break;
-    case 1:
-      material = LinearElastic{};
-      break;
-    case 2:
-      material = MohrCoulomb{};
-      break;
-    case 3:
-      material = NeoHookean{};
-      break;
-    case 4:
-      material = MohrCoulombWithVoids{};
-      break;
-    default:
-      archive.refuse("a material of law number " + std::to_string(index));
-  }
-  static_assert(std::variant_size_v<Material> == 5, "name the new law here");
-  std::visit([&](auto& law) { archive.bytes(reinterpret_cast<double*>(&law), sizeof(law) / sizeof(double)); },
-             material);
+  if (index >= std::variant_size_v<Material>)
+    return archive.refuse("a material of law number " + std::to_string(index));
+  material = blank_law(index);
+  const auto read = [&]<class Law>(Law& law) {
+    auto constants = constants_of(law);
+    archive.bytes(constants.data(), constants.size());
+    law = std::bit_cast<Law>(constants);
+  };
+  std::visit(read, material);
 }
 
 /// Items that are lists themselves are read one after the other: a length that a damaged file claims then takes no more

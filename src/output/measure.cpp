@@ -107,11 +107,6 @@ CentredSums<Dim> sum_about(const Body<Dim>& body, const Vec<Dim>& centre, const 
   });
 }
 
-template <class T>
-double bytes(const Array<T>& values) {
-  return static_cast<double>(values.size() * sizeof(T));
-}
-
 }  // namespace
 
 template <int Dim>
@@ -127,22 +122,6 @@ std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, s
   if (const auto* fluid = std::get_if<Newtonian>(&body.material)) isotropic = pressure(*fluid, body, p);
   for (int k = 0; k < 3; ++k) stress[k] -= isotropic;
   return stress;
-}
-
-template <int Dim>
-double particle_bytes(const Body<Dim>& body) {
-  double sum = bytes(body.mass) + bytes(body.J) + bytes(body.pore_pressure) + bytes(body.deviatoric_strain) +
-               bytes(body.gap) + bytes(body.id) + bytes(body.layer);
-  const auto add = [&](const auto& components) {
-    for (const auto& values : components) sum += bytes(values);
-  };
-  add(body.x);
-  add(body.v);
-  add(body.affine);
-  add(body.stress);
-  add(body.deformation);
-  add(body.initial_x);
-  return sum;
 }
 
 double percentile(std::vector<double> values, double percent) {
@@ -202,8 +181,6 @@ template double mean_pressure(const Body<2>&, std::size_t);
 template double mean_pressure(const Body<3>&, std::size_t);
 template std::array<double, 4> total_stress(const Body<2>&, std::size_t);
 template std::array<double, 6> total_stress(const Body<3>&, std::size_t);
-template double particle_bytes(const Body<2>&);
-template double particle_bytes(const Body<3>&);
 template BodyMeasures<2> measure(const Body<2>&, double);
 template BodyMeasures<3> measure(const Body<3>&, double);
 template MembraneMeasures<2> measure(const Membrane<2>&);

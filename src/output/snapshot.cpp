@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <geodrop/find_named.hpp>
 #include <geodrop/measure.hpp>
 #include <limits>
 
@@ -14,63 +15,48 @@ namespace {
 const std::vector<std::string> vector_components = {"X", "Y", "Z"};
 const std::vector<std::string> tensor_components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
 
-/// Which fields all particles have.
-const std::vector<Field> particle_fields = {
-    {"velocity", vector_components, {}}, {"displacement", vector_components, {}},
-    {"stress", tensor_components, {}},   {"mean_pressure", {}, {}},
-    {"pore_pressure", {}, {}},           {"deviatoric_strain", {}, {}},
-    {"volumetric_strain", {}, {}},       {"density", {}, {}}};
-
-float narrow(double value) { return static_cast<float>(value); }
-
-/// Writes one particle's values into its places of the fields.
-template <int Dim>
-void copy_particle(const Body<Dim>& body, std::size_t p, std::size_t to, ParticleSnapshot& out) {
-  const auto values = [&](std::size_t field) { return &out.fields[field].values[to * out.fields[field].width()]; };
-  const std::uint32_t id = body.id[p];
-  for (int a = 0; a < Dim; ++a) {
-    out.points[3 * to + a] = body.x[a][p];
-    values(0)[a] = narrow(body.v[a][p]);
-    values(1)[a] = narrow(body.x[a][p] - body.initial_x[a][id]);
-  }
-  const auto stress = total_stress(body, p);
-  for (int k = 0; k < stress_components<Dim>; ++k) values(2)[k] = narrow(stress[k]);
-  *values(3) = narrow(mean_pressure(body, p));
-  *values(4) = body.pore_pressure.empty() ? 0.0F : narrow(body.pore_pressure[p]);
-  *values(5) = body.deviatoric_strain.empty() ? 0.0F : narrow(body.deviatoric_strain[p]);
-  *values(6) = narrow(body.J[p] - 1);
-  *values(7) = narrow(reference_density(body.material) / body.J[p]);
-  if (!body.gap.empty()) *values(particle_fields.size()) = narrow(body.gap[p]);
-  out.layer[to] = body.layer.empty() ? 0 : body.layer[id];
-  out.id[to] = id;
+/// Calls column(name, names of components, write) for all that particles show: write(p, to) gives one particle's
+/// values.
+template <int Dim, class Column>
+void for_each_column(const Body<Dim>& body, Column column) {
+  column("velocity", vector_components, [&](std::size_t p, float* to) {
+    for (int a = 0; a < Dim; ++a) to[a] = narrow(body.v[a][p]);
+  });
+  column("displacement", vector_components, [&](std::size_t p, float* to) {
+    for (int a = 0; a < Dim; ++a) to[a] = narrow(body.x[a][p] - body.initial_x[a][body.id[p]]);
+  });
+  column("stress", tensor_components, [&](std::size_t p, float* to) {
+    const auto stress = total_stress(body, p);
+    for (int k = 0; k < stress_components<Dim>; ++k) to[k] = narrow(stress[k]);
+  });
+  column("mean_pressure", {}, [&](std::size_t p, float* to) { *to = narrow(mean_pressure(body, p)); });
+  column("volumetric_strain", {}, [&](std::size_t p, float* to) { *to = narrow(body.J[p] - 1); });
+  column("density", {}, [&](std::size_t p, float* to) { *to = narrow(reference_density(body.material) / body.J[p]); });
+  for_each_shown_field(body, column);
 }
 
-/// Another field, which only some particles have, is their gap.
-enum class Voids { none, some };
-
-ParticleSnapshot make_room(std::size_t particles, Voids voids) {
+template <int Dim>
+ParticleSnapshot make_room(const State<Dim>& state) {
   ParticleSnapshot out;
-  out.points.resize(3 * particles);
-  out.fields = particle_fields;
-  if (voids == Voids::some) out.fields.push_back({"gap", {}, {}});
-  for (Field& field : out.fields) field.values.resize(field.width() * particles);
-  out.layer.resize(particles);
-  out.material.resize(particles);
-  out.body.resize(particles);
-  out.id.resize(particles);
+  std::size_t count = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    if (body.field != waiting) count += body.size();
+    for_each_column(body, [&](const char* name, const std::vector<std::string>& components, auto) {
+      if (!is_named(out.fields, name)) out.fields.push_back({name, components, {}});
+    });
+  }
+  for (Field& field : out.fields) field.values.resize(field.width() * count);
+  out.points.resize(3 * count);
+  out.layer.resize(count);
+  out.material.resize(count);
+  out.body.resize(count);
+  out.id.resize(count);
   return out;
 }
 
 template <int Dim>
 ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials) {
-  std::size_t count = 0;
-  Voids voids = Voids::none;
-  for (const Body<Dim>& body : state.bodies) {
-    if (body.field == waiting) continue;
-    count += body.size();
-    if (!body.gap.empty()) voids = Voids::some;
-  }
-  ParticleSnapshot out = make_room(count, voids);
+  ParticleSnapshot out = make_room(state);
   std::size_t first = 0;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];
@@ -78,10 +64,19 @@ ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::
     const auto material = std::find(materials.begin(), materials.end(), body.material_name) - materials.begin();
 #pragma omp parallel for schedule(static)
     for (std::size_t p = 0; p < body.size(); ++p) {
-      copy_particle(body, p, first + p, out);
-      out.material[first + p] = static_cast<std::uint32_t>(material);
-      out.body[first + p] = static_cast<std::uint32_t>(b);
+      const std::size_t to = first + p;
+      for (int a = 0; a < Dim; ++a) out.points[3 * to + a] = body.x[a][p];
+      out.id[to] = body.id[p];
+      out.layer[to] = body.layer.empty() ? 0 : body.layer[body.id[p]];
+      out.material[to] = static_cast<std::uint32_t>(material);
+      out.body[to] = static_cast<std::uint32_t>(b);
     }
+    for_each_column(body, [&](const std::string& name, const std::vector<std::string>&, auto write) {
+      Field& field = find_named(out.fields, name);
+      const std::size_t width = field.width();
+#pragma omp parallel for schedule(static)
+      for (std::size_t p = 0; p < body.size(); ++p) write(p, &field.values[(first + p) * width]);
+    });
     first += body.size();
   }
   return out;

@@ -148,9 +148,10 @@ void check_body(const GridLayout<Dim>& layout, const State<Dim>& state, const Bo
   part.require(alike(body, built, &B::pressure, &B::shift, &B::shift_speed, &B::half_size, &B::enclosed,
                      &B::unit_weight, &B::weightless_level),
                "other settings");
-  part.require(alike(body, built, &B::x, &B::v, &B::affine, &B::mass, &B::J, &B::stress, &B::deformation,
-                     &B::pore_pressure, &B::deviatoric_strain, &B::gap, &B::id, &B::initial_x, &B::layer),
-               "another number of particles or of their quantities");
+  bool same = true;
+  for_each_field<particle_role::per_particle | particle_role::by_id>(
+      body, [&](const auto& entry, const auto& values) { same = same && same_size(values, built.*entry.values); });
+  part.require(same, "another number of particles or of their quantities");
   part.require(is_permutation_of_all(body.id), "numbers of particles that are not each there once");
   part.require(all_finite(body), "a value of a particle that is not finite");
   part.require(in_domain<Dim>(layout, body.x), "a particle outside of the domain");

@@ -46,8 +46,7 @@ void stop_all(State<Dim>& state) {
   };
   for (Body<Dim>& body : state.bodies) {
     if (body.field == waiting) continue;
-    stop(body.v);
-    stop(body.affine);
+    for_each_field<particle_role::rate>(body, [&](const auto&, auto& values) { stop(values); });
   }
   for (Membrane<Dim>& membrane : state.membranes) stop(membrane.v);
   for (ViscousBoundary<Dim>& boundary : state.viscous_boundaries) stop(boundary.v);

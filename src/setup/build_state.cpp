@@ -24,23 +24,11 @@
 namespace geodrop {
 namespace {
 
-/// Arrays that the material needs; a body without a quantity keeps its array empty.
+/// Arrays that the motion and the law need; a body without a quantity keeps its array empty.
 template <int Dim>
 void allocate(Body<Dim>& body) {
-  const std::size_t n = body.J.size();
-  body.mass.assign(n, 0.0);
-  for (auto& component : body.v) component.assign(n, 0.0);
-  for (auto& component : body.affine) component.assign(n, 0.0);
-  const auto* water = std::get_if<Newtonian>(&body.material);
-  if (!water || water->viscous())
-    for (auto& component : body.stress) component.assign(n, 0.0);
-  if (std::holds_alternative<NeoHookean>(body.material))
-    for (int c = 0; c < Dim * Dim; ++c) body.deformation[c].assign(n, c % (Dim + 1) == 0 ? 1.0 : 0.0);
-  if (const MohrCoulomb* soil = soil_law(body.material)) {
-    body.deviatoric_strain.assign(n, 0.0);
-    if (soil->pore_stiffness > 0) body.pore_pressure.assign(n, 0.0);
-  }
-  if (std::holds_alternative<MohrCoulombWithVoids>(body.material)) body.gap.assign(n, 0.0);
+  for_each_array<particle_role::every_body>(body, [&](Array<double>& values) { values.resize(body.J.size(), 0.0); });
+  set_unstrained(body);
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #include "initial_stress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <geodrop/exact.hpp>
 #include <stdexcept>
@@ -111,6 +112,15 @@ TotalStress initial_total_stress(const Scene& scene, const BodySpec& spec, doubl
 }
 
 template <int Dim>
+void set_unstrained(Body<Dim>& body) {
+  const auto begin_at_zero = [&](auto& field) {
+    for_each_component(field, [&](Array<double>& values) { values.assign(body.J.size(), 0.0); });
+  };
+  std::visit([&](const auto& law) { law.state(body, begin_at_zero); }, body.material);
+  for (int a = 0; a < Dim; ++a) std::ranges::fill(body.deformation[a * Dim + a], 1.0);
+}
+
+template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
   if (std::holds_alternative<FromExactSpec>(spec.initial_stress))
     return set_exact_stress(exact_solution<Dim>(scene, spec.name), body);
@@ -124,6 +134,8 @@ void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& bod
   }
 }
 
+template void set_unstrained(Body<2>&);
+template void set_unstrained(Body<3>&);
 template void set_initial_stress<2>(const Scene&, const BodySpec&, Body<2>&);
 template void set_initial_stress<3>(const Scene&, const BodySpec&, Body<3>&);
 

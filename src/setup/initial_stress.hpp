@@ -17,6 +17,10 @@ struct TotalStress {
 };
 TotalStress initial_total_stress(const Scene& scene, const BodySpec& spec, double y);
 
+/// The state variables of a body's law at zero strain, for as many particles as J has entries.
+template <int Dim>
+void set_unstrained(Body<Dim>& body);
+
 /// Sets stress, pore pressure, J and mass of all particles; on entry J holds the particle's volume [m3].
 template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body);

@@ -1,6 +1,7 @@
 #include "memory_estimate.hpp"
 
 #include <geodrop/error.hpp>
+#include <geodrop/fields.hpp>
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/materials.hpp>
 #include <geodrop/shapes.hpp>
@@ -42,17 +43,22 @@ double sites(const Scene& scene, const BodySpec& body) {
   return static_cast<double>(Lattice<Dim>(scene, body).size());
 }
 
-/// Of the arrays in state.hpp and a copy of a frame [byte]; measured peaks are up to a third below.
+/// Of the fields that its motion and its law need.
+template <int Dim>
+double numbers_per_particle(const Material& material) {
+  std::size_t count = count_arrays<particle_role::every_body>(particle_fields<Dim>);
+  const Particles<Dim> none;
+  const auto add = [&](const auto& field) { for_each_component(field, [&](const auto&) { ++count; }); };
+  std::visit([&](const auto& law) { law.state(none, add); }, material);
+  return static_cast<double>(count);
+}
+
+/// Of the fields of particles and a copy of a frame [byte]; measured peaks are up to a third below.
 double bytes_per_particle(const Scene& scene, const BodySpec& body) {
   constexpr double number = 8, frame = 105, numbers_and_scratch = 40;
-  const int dim = scene.dimension, tensor = dim * dim;
-  double count = 3 * dim + tensor + 2;
   const Material material = make_material(*find_material(scene, body.material));
-  const auto* fluid = std::get_if<Newtonian>(&material);
-  if (!fluid || fluid->viscous()) count += dim == 2 ? stress_components<2> : stress_components<3>;
-  if (std::holds_alternative<NeoHookean>(material)) count += tensor;
-  if (soil_law(material)) count += 3;
-  return number * count + frame + numbers_and_scratch;
+  const double numbers = scene.dimension == 2 ? numbers_per_particle<2>(material) : numbers_per_particle<3>(material);
+  return number * numbers + frame + numbers_and_scratch;
 }
 
 /// Of the machine, or less if the control group has a limit [byte].
