@@ -100,8 +100,7 @@ void check_pressure(const Scene& scene, const BodySpec& body, const std::string&
   // The volume of a neo-Hookean particle is det F, which cannot follow an averaged rate of volume.
   if (body.pressure != PressureSupport::particle && is_neo_hookean(scene, body, report))
     report.add(key + ".pressure",
-               '"' + word_of("bodies", "pressure", static_cast<std::size_t>(body.pressure)) + "\" for a body of \"" +
-                   body.material + '"',
+               '"' + word_of("bodies", "pressure", body.pressure) + "\" for a body of \"" + body.material + '"',
                "\"particle\", as the material is neo_hookean");
   else if (simplex && body.pressure == PressureSupport::cell)
     report.add(key + ".pressure", "\"cell\" on a grid of simplices",

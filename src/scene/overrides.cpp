@@ -50,12 +50,12 @@ std::size_t find_element(const toml::array& list, const std::string& word, const
   if (const auto index = to_index(word, list)) return *index;
   std::vector<std::string> names;
   std::vector<std::size_t> hits;
-  const auto sections = section_table();
+  const auto& sections = section_table();
   const auto section =
-      std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.path == list_name; });
+      std::find_if(sections.begin(), sections.end(), [&](const Section* s) { return s->path == list_name; });
   for (std::size_t i = 0; section != sections.end() && i < list.size(); ++i) {
     const toml::table* table = list.get(i)->as_table();
-    const auto name = table ? (*table)[section->id_key].value<std::string>() : std::nullopt;
+    const auto name = table ? (*table)[(*section)->id_key].value<std::string>() : std::nullopt;
     if (name) names.push_back(*name);
     if (name == word) hits.push_back(i);
   }

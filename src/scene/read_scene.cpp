@@ -1,7 +1,6 @@
 #include <geodrop/input_file.hpp>
 #include <geodrop/scene_reader.hpp>
 
-#include "bind_scene.hpp"
 #include "check_scene.hpp"
 #include "complete_scene.hpp"
 #include "overrides.hpp"
@@ -29,8 +28,8 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   Report report;
   toml::table written = parse(path);
   apply_overrides(written, overrides, report);
-  const toml::table complete = complete_scene(written, report);
-  Scene scene = bind_scene(complete, report);
+  Scene scene;
+  const toml::table complete = complete_scene(written, scene, report);
   check_scene(scene, report);
   if (!report.problems().empty()) throw SceneError(path, report.problems());
   scene.file = path;
