@@ -2,7 +2,7 @@
 // `R` is double or a packet type (GCC vector extension); laws are written with `select`, without branches.
 #pragma once
 
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/materials.hpp>
 #include <geodrop/types.hpp>
 
 #include <array>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geodrop/materials.hpp>
+#include <geodrop/scene/bodies.hpp>
 #include <geodrop/types.hpp>
 
 #include <array>

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <geodrop/find_named.hpp>
 #include <geodrop/history.hpp>
+#include <geodrop/scene/probes.hpp>
 #include <numbers>
 
 #include "extremes_probe.hpp"

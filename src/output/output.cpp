@@ -1,6 +1,7 @@
 // Joins the parts of the output room for the step loop.
 #include <geodrop/error.hpp>
 #include <geodrop/output.hpp>
+#include <geodrop/scene/probes.hpp>
 
 #include "atomic_file.hpp"
 #include "console.hpp"

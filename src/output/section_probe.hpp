@@ -8,6 +8,7 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
+#include <geodrop/scene/probes.hpp>
 #include <geodrop/state.hpp>
 
 namespace geodrop {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
+#include <geodrop/scene/probes.hpp>
 #include <geodrop/state.hpp>
 
 namespace geodrop {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <geodrop/pipeline.hpp>
+#include <geodrop/scene/probes.hpp>
 #include <type_traits>
 
 #include "../boundary/silent_side.hpp"

@@ -5,6 +5,7 @@
 #include "to_text.hpp"
 
 #include <geodrop/scene.hpp>
+#include <geodrop/scene/probes.hpp>
 
 #include <algorithm>
 #include <string>

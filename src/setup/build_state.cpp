@@ -6,6 +6,7 @@
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/measure.hpp>
 #include <geodrop/pipeline.hpp>
+#include <geodrop/scene/probes.hpp>
 #include <geodrop/shapes.hpp>
 #include <geodrop/velocity_fields.hpp>
 #include <limits>

@@ -1,5 +1,6 @@
 // Probes where it comes to the last digit: how near to a tip counts as near, where between two columns a heap ends.
 #include <doctest/doctest.h>
+#include <geodrop/scene/probes.hpp>
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 // Pressure of water apart from its still value, and water on the wrong side of a membrane.
 #include <doctest/doctest.h>
+#include <geodrop/scene/probes.hpp>
 
 #include <cmath>
 

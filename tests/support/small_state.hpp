@@ -3,6 +3,7 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
+#include <geodrop/scene/probes.hpp>
 #include <geodrop/state.hpp>
 
 #include <array>
