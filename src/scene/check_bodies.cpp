@@ -91,7 +91,7 @@ void check_cavities(const Scene& scene, const BodySpec& body, const std::string&
                                   [&](const SilentSideSpec& side) { return side.body == body.name; });
   if (silent || has_sharp_interface(scene) || body.pressure == PressureSupport::enclosed)
     report.add(key + ".material", '"' + body.material + "\", which has a tension_cutoff",
-               "a fluid without one, with an enclosed pressure, a silent side or a sharp interface");
+               "a fluid without one, with an enclosed pressure, an absorbing layer or a sharp interface");
 }
 
 void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {

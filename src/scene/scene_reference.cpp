@@ -71,9 +71,10 @@ std::string row(const Key& key) {
   Key without_unit = key;
   without_unit.unit = {};
   const std::string when = readable_condition(key);
+  const std::string former = key.former.empty() ? "" : "; formerly `" + std::string(key.former) + "`";
   const std::string unit = key.unit.empty() ? "" : std::string(key.unit);
   return "| `" + std::string(key.name) + "` | " + describe_allowed(without_unit, kEither) + " | " + unit + " | " +
-         need_text(key) + " | " + when + " | " + escape_bars(std::string(key.meaning)) + " |\n";
+         need_text(key) + " | " + when + " | " + escape_bars(std::string(key.meaning)) + former + " |\n";
 }
 
 }  // namespace

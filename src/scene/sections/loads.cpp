@@ -40,10 +40,10 @@ SectionOf<ViscousBoundarySpec> viscous_boundaries_section() {
   }};
 }
 
-SectionOf<SilentSideSpec> silent_sides_section() {
+SectionOf<SilentSideSpec> absorbing_layers_section() {
   constexpr RowsOf<SilentSideSpec> key;
   return {
-      "[[silent_sides]]", "name",
+      "[[absorbing_layers]]", "name",
       "Sides of the domain through which waves in water at rest leave: in a layer beside the wall pressure fades to "
       "that of the still fluid, and the velocity across to that of the water beyond, both at the same rate, so that "
       "waves meet no change of impedance. Water that comes or goes is mass of the particles there. Levels and slow "

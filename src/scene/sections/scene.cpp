@@ -39,7 +39,7 @@ SectionOf<Scene> top_level() {
       key.list("still_fluids", &Scene::still_fluids, still_fluids_section(), standard("[]"), "still water around membranes").in(2),
       key.list("stages", &Scene::stages, stages_section(), standard("[]"), "the parts of a run in time"),
       key.list("viscous_boundaries", &Scene::viscous_boundaries, viscous_boundaries_section(), standard("[]"), "edges of the ground that let waves out").in(2),
-      key.list("silent_sides", &Scene::silent_sides, silent_sides_section(), standard("[]"), "sides through which waves in water leave").in(2),
+      key.list("absorbing_layers", &Scene::silent_sides, absorbing_layers_section(), standard("[]"), "layers beside walls through which waves in water leave").in(2).formerly("silent_sides"),
       key.list("pumps", &Scene::pumps, pumps_section(), standard("[]"), "fluid that is pumped in"),
       key.list("exact", &Scene::exact, exact_section(), standard("[]"), "exact solutions that bodies follow"),
       key.list("probes", &Scene::probes, probes_section(), standard("[]"), "additional measurements"),

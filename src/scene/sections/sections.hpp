@@ -30,7 +30,7 @@ SectionOf<RigidSpec> rigid_section();
 SectionOf<ContactSpec> contacts_section();
 SectionOf<StillFluidSpec> still_fluids_section();
 SectionOf<ViscousBoundarySpec> viscous_boundaries_section();
-SectionOf<SilentSideSpec> silent_sides_section();
+SectionOf<SilentSideSpec> absorbing_layers_section();
 SectionOf<PumpSpec> pumps_section();
 SectionOf<ProbeSpec> probes_section();
 SectionOf<ResultSpec> results_section();
