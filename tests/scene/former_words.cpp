@@ -42,9 +42,9 @@ TEST_CASE("a former word is read as the one of today, with a note of its place")
 }
 
 TEST_CASE("a mistake below a former word is reported under the one of today") {
-  const FormerScene former("width_ = 1\n");
-  CHECK(scene_error(former.path, {"silent_sides.left.width=0"})
-            .find("absorbing_layers.left.width: found 0; allowed: a number > 0 [m]") != std::string::npos);
+  const FormerScene former;
+  CHECK(scene_error(former.path, {"silent_sides.open_sea.width=0"})
+            .find("absorbing_layers.open_sea.width: found 0; allowed: a number > 0 [m]") != std::string::npos);
 }
 
 TEST_CASE("overrides know both words, in the path and in the value") {
