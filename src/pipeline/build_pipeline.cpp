@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <geodrop/pipeline.hpp>
-#include <geodrop/scene/probes.hpp>
 #include <type_traits>
 
 #include "../boundary/silent_side.hpp"
@@ -22,6 +21,7 @@
 #include "../kernels/transfer_stages.hpp"
 #include "../membrane/fluid_load.hpp"
 #include "../membrane/membrane_force.hpp"
+#include "../probes/probes.hpp"
 #include "energy_watch.hpp"
 #include "pumps.hpp"
 #include "relaxation.hpp"

@@ -2,6 +2,8 @@
 #include "check_scene.hpp"
 #include "key_table.hpp"
 
+#include "../probes/probes.hpp"
+
 #include <algorithm>
 #include <map>
 

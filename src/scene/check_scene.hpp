@@ -5,7 +5,6 @@
 #include "to_text.hpp"
 
 #include <geodrop/scene.hpp>
-#include <geodrop/scene/probes.hpp>
 
 #include <algorithm>
 #include <string>

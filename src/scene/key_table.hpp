@@ -62,7 +62,7 @@ struct Key {
   std::function<void*(void* target, const std::string& name)> enter = {};
   /// "" always; "type=box|ellipse": only if the neighbour `type` has one of these values; "points": only beside a
   /// neighbour `points`; "type=box&points": both
-  std::string_view when = {};
+  std::string when = {};
   int dimension = 0;             ///< 2 or 3: only in scenes of this dimension; 0: in both
   std::string_view former = {};  ///< word that scenes had for it earlier; it still holds, with a note
   std::string section = {};      ///< path of the section that it is in

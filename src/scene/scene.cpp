@@ -1,8 +1,9 @@
 // The scene as a value, and what the names in it refer to.
 #include <geodrop/scene.hpp>
-#include <geodrop/scene/probes.hpp>
 
 #include <algorithm>
+
+#include "../probes/probes.hpp"
 
 namespace geodrop {
 namespace {

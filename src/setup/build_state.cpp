@@ -6,7 +6,6 @@
 #include <geodrop/graded_axis.hpp>
 #include <geodrop/measure.hpp>
 #include <geodrop/pipeline.hpp>
-#include <geodrop/scene/probes.hpp>
 #include <geodrop/shapes.hpp>
 #include <geodrop/velocity_fields.hpp>
 #include <limits>
@@ -18,6 +17,7 @@
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
 #include "../pipeline/scene_stages.hpp"
+#include "../probes/probes.hpp"
 #include "fill_particles.hpp"
 #include "initial_stress.hpp"
 #include "membrane_nodes.hpp"

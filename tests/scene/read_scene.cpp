@@ -1,5 +1,5 @@
 // A scene's values as they come out of the reader, and the scene as run.
-#include <geodrop/scene/probes.hpp>
+#include "probes/probes.hpp"
 #include "support/near.hpp"
 #include "support/scene_files.hpp"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
-#include <geodrop/scene/probes.hpp>
 #include <geodrop/state.hpp>
+#include "probes/probes.hpp"
 
 #include <array>
 #include <string>

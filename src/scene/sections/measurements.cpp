@@ -1,38 +1,48 @@
 // Probes, results, and what these should be.
 #include "sections.hpp"
 
+#include "../../probes/probes.hpp"
+
 namespace geodrop {
 namespace {
 
 constexpr Range percent{">= 0 and <= 100", [](double x) { return x >= 0 && x <= 100; }};
 constexpr Range end_range{"> 0; inf is the end of the run", [](double x) { return x > 0; }, true};
 
-}  // namespace
-
-// clang-format off
-SectionOf<ProbeSpec> probes_section() {
-  constexpr RowsOf<ProbeSpec, &ProbeSpec::probe> key;
-  return {
-      "[[probes]]", "name",
-      "What is measured beside the standard columns of history.csv.", {
-      key("type", &ProbeSpec::probe, {{"tracer", TracerSpec{}}, {"hydrostatic", HydrostaticProbeSpec{}}, {"exact", ExactProbeSpec{}}, {"geotube", GeotubeProbeSpec{}}, {"section", SectionProbeSpec{}}, {"span", SpanProbeSpec{}}, {"stress", StressProbeSpec{}}, {"front", FrontProbeSpec{}}, {"extremes", ExtremesProbeSpec{}}}, required, "tracer: a point that moves with the material; section: horizontal forces over an upright section; front: how far a heap reaches to both sides, lone particles left out; span: tension of a part of a membrane; stress: how the vertical stress spreads over the particles; extremes: least and largest volume ratio J and pressure, largest principal stress (effective in soil) of all particles; hydrostatic: rms pressure error of a fluid at rest; exact: errors against the solution that the body follows; geotube: shape and pressures of a closed membrane full of fluid beside those of the closed form"),
-      key("name", [](ProbeSpec& spec, const std::string& name) { std::visit([&](auto& probe) { probe.name = name; }, spec.probe); }, required, identifier, "heads the probe's columns in history.csv"),
-      key("position", &TracerSpec::position, "m", required, any, "where the point starts").only("type=tracer"),
-      key("body", Either(&HydrostaticProbeSpec::body, &ExactProbeSpec::body, &SectionProbeSpec::body, &StressProbeSpec::body, &FrontProbeSpec::body, &ExtremesProbeSpec::body), required, reference, "whose particles are compared, or cut, or heaped").only("type=hydrostatic|exact|section|stress|front|extremes"),
-      key("from", &SpanProbeSpec::from, "m", required, any, "one end of the part, on the membrane as drawn").only("type=span"),
-      key("to", &SpanProbeSpec::to, "m", required, any, "its other end; round a closed membrane the shorter way").only("type=span"),
-      key("thickness", &FrontProbeSpec::thickness, "m", required, positive, "of a heap at its front: volume in an upright column of cells over its width").only("type=front"),
-      key("x", &SectionProbeSpec::position, "m", required, any, "where the section is").only("type=section"),
-      key("membrane", Either(&GeotubeProbeSpec::membrane, &SpanProbeSpec::membrane), required, reference, "the membrane; of a geotube a closed one").only("type=geotube|span"),
-      key.decides("outside", {"air", "water"}, standard("\"air\""), "what stands around the tube of the closed form").only("type=geotube"),
-      key("water", &GeotubeProbeSpec::water, required, reference, "the newtonian material of that water").only("outside=water"),
-      key("water_level", &GeotubeProbeSpec::water_level, "m", required, positive, "its level over the ground").only("outside=water"),
-      key("fluid", [](HydrostaticProbeSpec& probe, const std::string& name) { probe.still.fluid = name; }, required, reference, "the newtonian material of the still fluid").only("type=hydrostatic"),
-      key("surface", [](HydrostaticProbeSpec& probe, double level) { probe.still.surface = level; }, "m", required, any, "level of the fluid's free surface").only("type=hydrostatic"),
-      key("tips_of", &HydrostaticProbeSpec::tips_of, standard("\"\""), free_text, "a membrane: what is within 2 h (of the finest cell) of its lowest or highest node counts apart in the 99.9th percentile").only("type=hydrostatic"),
-  }};
+/// The rows of one kind of probe, where the scene has one of that.
+template <class Probe>
+void add_rows(std::vector<Key>& keys) {
+  for (Key& row : Probe::rows()) {
+    if (row.when.empty()) row.when = std::string("type=") + Probe::word;
+    row.fill = [fill = row.fill](void* target, const toml::node& node) {
+      if (auto* probe = std::get_if<Probe>(&static_cast<ProbeSpec*>(target)->probe)) fill(probe, node);
+    };
+    keys.push_back(std::move(row));
+  }
 }
 
+template <class... Probe>
+SectionOf<ProbeSpec> section_of(std::type_identity<std::variant<Probe...>>) {
+  constexpr RowsOf<ProbeSpec> key;
+  static const std::string meanings = [] {
+    std::string text;
+    ((text += std::string(text.empty() ? "" : "; ") + Probe::word + ": " + Probe::meaning), ...);
+    return text;
+  }();
+  constexpr auto set_name = [](ProbeSpec& spec, const std::string& name) {
+    std::visit([&](auto& probe) { probe.name = name; }, spec.probe);
+  };
+  std::vector<Key> keys{key("type", &ProbeSpec::probe, {{Probe::word, Probe{}}...}, required, meanings),
+                        key("name", set_name, required, identifier, "heads the probe's columns in history.csv")};
+  (add_rows<Probe>(keys), ...);
+  return {"[[probes]]", "name", "What is measured beside the standard columns of history.csv.", keys};
+}
+
+}  // namespace
+
+SectionOf<ProbeSpec> probes_section() { return section_of(std::type_identity<decltype(ProbeSpec::probe)>{}); }
+
+// clang-format off
 SectionOf<ResultSpec> results_section() {
   constexpr RowsOf<ResultSpec> key;
   return {

@@ -1,6 +1,8 @@
 // The top level of a scene.
 #include "sections.hpp"
 
+#include "../../probes/probes.hpp"
+
 namespace geodrop {
 namespace {
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <geodrop/scene.hpp>
-#include <geodrop/scene/probes.hpp>
 
 #include "../rows.hpp"
 
 namespace geodrop {
+
+struct ProbeSpec;
 
 SectionOf<Scene> top_level();
 SectionOf<RefineSpec> grid_refine_section();
