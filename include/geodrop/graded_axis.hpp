@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/numerics.hpp>
 #include <geodrop/types.hpp>
 
 namespace geodrop {

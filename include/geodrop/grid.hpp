@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <geodrop/fields.hpp>
 #include <geodrop/graded_axis.hpp>
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/numerics.hpp>
 #include <geodrop/types.hpp>
 #include <vector>
 
 namespace geodrop {
+
+struct Scene;
 
 /// Slabs are what one thread scatters at a time: groups of base cells along the axes other than x,
 /// at least P + 2 = 4 cells wide so that two slabs of one colour never touch the same node even if a particle

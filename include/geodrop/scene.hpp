@@ -17,7 +17,18 @@
 
 namespace geodrop {
 
+struct ProbeSpec;
+
 struct Scene {
+  // In scene/scene.cpp, for the sake of probes, which few files know (src/probes).
+  Scene();
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+  bool operator==(const Scene&) const;
+
   std::string file;  ///< path that it was read from
   std::string title;
   std::string question;  ///< what this case asks
@@ -47,7 +58,7 @@ struct Scene {
   std::vector<VariantSpec> variants;
   std::string as_run;  ///< the scene as TOML with overrides applied and all defaults filled in
   CheckpointSpec checkpoints;
-  bool operator==(const Scene&) const = default;
+  std::vector<std::string> notes;  ///< of the reader: former words that the file still has
 };
 
 /// Null if the scene has none of this name.

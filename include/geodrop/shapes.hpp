@@ -2,7 +2,7 @@
 // either dimension, `section` is for space, and the rest for the plane.
 #pragma once
 
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/shapes.hpp>
 #include <optional>
 #include <vector>
 

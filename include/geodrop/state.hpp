@@ -3,7 +3,7 @@
 
 #include <geodrop/fields.hpp>
 #include <geodrop/materials.hpp>
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/bodies.hpp>
 #include <geodrop/types.hpp>
 
 #include <array>

@@ -62,11 +62,9 @@ void renew(Body<Dim>& body) {
 
 }  // namespace
 
-std::string name_of(Basis basis) { return word_of("grid", "basis", static_cast<std::size_t>(basis)); }
-std::string name_of(Transfer transfer) { return word_of("solver", "transfer", static_cast<std::size_t>(transfer)); }
-std::string name_of(PressureSupport pressure) {
-  return word_of("bodies", "pressure", static_cast<std::size_t>(pressure));
-}
+std::string name_of(Basis basis) { return word_of("grid", "basis", basis); }
+std::string name_of(Transfer transfer) { return word_of("solver", "transfer", transfer); }
+std::string name_of(PressureSupport pressure) { return word_of("bodies", "pressure", pressure); }
 std::string name_of(BenchMaterial material) { return shipped(material).name; }
 
 std::vector<Benchmark> all_benchmarks() {

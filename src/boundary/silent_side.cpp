@@ -1,6 +1,7 @@
 #include "silent_side.hpp"
 
 #include <geodrop/find_named.hpp>
+#include <geodrop/scene.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <geodrop/grid.hpp>
+#include <geodrop/scene/loads.hpp>
 #include <geodrop/state.hpp>
 
 namespace geodrop {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <geodrop/grid.hpp>
+#include <geodrop/scene/loads.hpp>
 #include <geodrop/state.hpp>
 
 namespace geodrop {

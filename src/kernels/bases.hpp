@@ -5,7 +5,7 @@
 #pragma once
 
 #include <geodrop/graded_axis.hpp>
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/numerics.hpp>
 
 #include <type_traits>
 

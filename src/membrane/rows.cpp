@@ -2,20 +2,10 @@
 
 #include "../scene/needs.hpp"
 
-#include <algorithm>
-
 #include "fluid_load.hpp"
 #include "membrane_force.hpp"
 
 namespace geodrop {
-namespace {
-
-bool has_tracers(const Scene& scene) {
-  return std::any_of(scene.probes.begin(), scene.probes.end(),
-                     [](const ProbeSpec& p) { return std::holds_alternative<TracerSpec>(p.probe); });
-}
-
-}  // namespace
 
 Row<2> clear_loads_row(const Scene& scene) {
   return {"clear_loads",
@@ -51,7 +41,7 @@ Row<Dim> grid_to_membranes_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> grid_to_tracers_row(const Scene& scene) {
-  return {"grid_to_tracers", Data::nodal_velocity, Data::tracers, has_tracers(scene),
+  return {"grid_to_tracers", Data::nodal_velocity, Data::tracers, any_tracer(scene),
           each_field<Dim>(
               [](State<Dim>& s, const Grid<Dim>& g, const StepContext& step) { grid_to_tracers(s, g, step.dt); })};
 }

@@ -2,10 +2,10 @@
 #include <geodrop/error.hpp>
 #include <geodrop/output.hpp>
 
+#include "../probes/probes.hpp"
 #include "atomic_file.hpp"
 #include "console.hpp"
 #include "frame_writer.hpp"
-#include "geotube_probe.hpp"
 #include "hash_file.hpp"
 #include "history_file.hpp"
 #include "limit_warnings.hpp"
@@ -286,12 +286,13 @@ void Output<Dim>::write_last(Frame<Dim> frame, RunStatus status) {
   if (status == RunStatus::done && !parts.has_row(frame->t)) write_history(frame);
   if (!blocked() && !parts.has_frame(frame->t)) write_frame(frame);
   parts.frames.wait();
-  if constexpr (Dim == 2)
-    parts.attempt([&] {
-      for (const ProbeSpec& spec : parts.scene.probes)
-        if (const auto* probe = std::get_if<GeotubeProbeSpec>(&spec.probe))
-          write_geotube_profile(parts.scene, *probe, *frame, directory());
-    });
+  const auto write_profile = [&](const auto& probe) {
+    if constexpr (requires { probe.write_profile(parts.scene, *frame, directory()); })
+      probe.write_profile(parts.scene, *frame, directory());
+  };
+  parts.attempt([&] {
+    for (const ProbeSpec& spec : parts.scene.probes) std::visit(write_profile, spec.probe);
+  });
 }
 
 template <int Dim>

@@ -73,7 +73,7 @@ std::string drained_under_water(const Scene& scene, const BodySpec& body) {
 }  // namespace
 
 std::vector<std::string> scene_notes(const Scene& scene) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = scene.notes;
   for (const BodySpec& body : scene.bodies)
     if (const std::string note = drained_under_water(scene, body); !note.empty()) notes.push_back(note);
   return notes;

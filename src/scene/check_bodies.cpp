@@ -2,6 +2,8 @@
 #include "check_scene.hpp"
 #include "key_table.hpp"
 
+#include "../probes/probes.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -91,7 +93,7 @@ void check_cavities(const Scene& scene, const BodySpec& body, const std::string&
                                   [&](const SilentSideSpec& side) { return side.body == body.name; });
   if (silent || has_sharp_interface(scene) || body.pressure == PressureSupport::enclosed)
     report.add(key + ".material", '"' + body.material + "\", which has a tension_cutoff",
-               "a fluid without one, with an enclosed pressure, a silent side or a sharp interface");
+               "a fluid without one, with an enclosed pressure, an absorbing layer or a sharp interface");
 }
 
 void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
@@ -100,8 +102,7 @@ void check_pressure(const Scene& scene, const BodySpec& body, const std::string&
   // The volume of a neo-Hookean particle is det F, which cannot follow an averaged rate of volume.
   if (body.pressure != PressureSupport::particle && is_neo_hookean(scene, body, report))
     report.add(key + ".pressure",
-               '"' + word_of("bodies", "pressure", static_cast<std::size_t>(body.pressure)) + "\" for a body of \"" +
-                   body.material + '"',
+               '"' + word_of("bodies", "pressure", body.pressure) + "\" for a body of \"" + body.material + '"',
                "\"particle\", as the material is neo_hookean");
   else if (simplex && body.pressure == PressureSupport::cell)
     report.add(key + ".pressure", "\"cell\" on a grid of simplices",

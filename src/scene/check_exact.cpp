@@ -5,6 +5,8 @@
 #include <numbers>
 #include <set>
 
+#include "../probes/probes.hpp"
+
 namespace geodrop {
 namespace {
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <set>
 
+#include "../probes/probes.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -76,61 +78,6 @@ void check_window(const Scene& scene, std::size_t number, const std::string& key
       check_reference(key + name, event, events, "results with reduce = \"first_time_below\" further up", report);
 }
 
-/// A geotube is a closed membrane around its fill.
-void check_tube(const Scene& scene, const GeotubeProbeSpec& tube, const std::string& key, Report& report) {
-  for (const MembraneSpec& membrane : scene.membranes)
-    if (membrane.name == tube.membrane && !membrane.closed)
-      report.add(key + ".membrane", '"' + tube.membrane + "\", which is open", "a closed membrane");
-}
-
-void check_probe(const Scene& scene, const ProbeSpec& probe, const std::string& key, Report& report) {
-  if (const auto* still = std::get_if<HydrostaticProbeSpec>(&probe.probe)) {
-    check_reference(key + ".body", still->body, names_of(scene.bodies), "bodies", report);
-    check_fluid(scene, key + ".fluid", still->still.fluid, report);
-    if (!still->tips_of.empty())
-      check_reference(key + ".tips_of", still->tips_of, names_of(scene.membranes), "membranes", report);
-    return;
-  }
-  if (const auto* exact = std::get_if<ExactProbeSpec>(&probe.probe)) {
-    check_reference(key + ".body", exact->body, names_of(scene.bodies), "bodies", report);
-    return;
-  }
-  if (const auto* tube = std::get_if<GeotubeProbeSpec>(&probe.probe)) {
-    check_reference(key + ".membrane", tube->membrane, names_of(scene.membranes), "membranes", report);
-    check_tube(scene, *tube, key, report);
-    if (!tube->water.empty()) check_fluid(scene, key + ".water", tube->water, report);
-    return;
-  }
-  if (const auto* span = std::get_if<SpanProbeSpec>(&probe.probe)) {
-    check_reference(key + ".membrane", span->membrane, names_of(scene.membranes), "membranes", report);
-    return;
-  }
-  if (const auto* stress = std::get_if<StressProbeSpec>(&probe.probe)) {
-    check_reference(key + ".body", stress->body, names_of(scene.bodies), "bodies", report);
-    return;
-  }
-  if (const auto* extremes = std::get_if<ExtremesProbeSpec>(&probe.probe)) {
-    check_reference(key + ".body", extremes->body, names_of(scene.bodies), "bodies", report);
-    return;
-  }
-  const auto check_plane = [&](const std::string& body, const std::string& type) {
-    check_reference(key + ".body", body, names_of(scene.bodies), "bodies", report);
-    if (report.healthy("dimension") && scene.dimension != 2)
-      report.add(key + ".type", '"' + type + "\" in space", type + "s in two dimensions");
-  };
-  if (const auto* section = std::get_if<SectionProbeSpec>(&probe.probe)) return check_plane(section->body, "section");
-  if (const auto* front = std::get_if<FrontProbeSpec>(&probe.probe)) return check_plane(front->body, "front");
-  const auto& tracer = std::get<TracerSpec>(probe.probe);
-  if (!report.healthy(key) || !report.healthy("grid") || tracer.position.size() != scene.grid.lower.size()) return;
-  for (std::size_t a = 0; a < tracer.position.size(); ++a) {
-    if (tracer.position[a] >= scene.grid.lower[a] && tracer.position[a] <= scene.grid.upper[a]) continue;
-    report.add(
-        key + ".position", to_text(tracer.position),
-        "a point inside the grid, from " + to_text(scene.grid.lower) + " to " + to_text(scene.grid.upper) + " [m]");
-    return;
-  }
-}
-
 /// A known miss needs a guard, or it could get worse unseen.
 void check_shortfall(const VerifySpec& verify, const std::string& key, Report& report) {
   if (!report.healthy(key)) return;
@@ -175,8 +122,10 @@ void check_verification(const Scene& scene, Report& report) {
 }  // namespace
 
 void check_measurements(const Scene& scene, Report& report) {
-  for (std::size_t i = 0; i < scene.probes.size(); ++i)
-    check_probe(scene, scene.probes[i], report.element("probes", i), report);
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    const ProbeCheck check{scene, report.element("probes", i), report};
+    std::visit([&](const auto& probe) { probe.check(check); }, scene.probes[i].probe);
+  }
   std::set<std::string> names;
   for (std::size_t i = 0; i < scene.results.size(); ++i) {
     const std::string& key = report.element("results", i);

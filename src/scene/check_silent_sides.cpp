@@ -1,4 +1,4 @@
-// Checks of silent sides: still water that reaches a wall, and a layer that has room there.
+// Checks of absorbing layers: still water that reaches a wall, and a layer that has room there.
 #include "check_scene.hpp"
 
 #include <geodrop/shapes.hpp>
@@ -52,7 +52,7 @@ void check_width(const Scene& scene, const SilentSideSpec& side, const std::stri
 void check_silent_sides(const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.silent_sides.size(); ++i) {
     const SilentSideSpec& side = scene.silent_sides[i];
-    const std::string& key = report.element("silent_sides", i);
+    const std::string& key = report.element("absorbing_layers", i);
     if (!check_reference(key + ".body", side.body, names_of(scene.bodies), "bodies", report)) continue;
     const BodySpec& body = *find_body(scene, side.body);
     check_body(scene, body, key, report);
@@ -61,7 +61,7 @@ void check_silent_sides(const Scene& scene, Report& report) {
     check_width(scene, side, key, report);
     const auto same = [&](const SilentSideSpec& other) { return other.body == side.body && other.side == side.side; };
     if (std::any_of(scene.silent_sides.begin(), scene.silent_sides.begin() + static_cast<std::ptrdiff_t>(i), same))
-      report.add(key + ".side", std::string("a second silent side of \"") + side.body + "\" at the same wall",
+      report.add(key + ".side", std::string("a second absorbing layer of \"") + side.body + "\" at the same wall",
                  "one for each body and wall");
   }
 }

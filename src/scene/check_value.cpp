@@ -58,20 +58,19 @@ ValueCheck check_points(const Key& key, const toml::node& node, int dimension) {
   return {};
 }
 
-/// "a" or "b" or "c" for "a|b|c".
-std::string quoted_words(std::string_view choices) {
+/// "a" or "b" or "c".
+std::string quoted_words(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : split(choices, '|')) text += (text.empty() ? "\"" : " or \"") + word + '"';
+  for (const std::string& word : words) text += (text.empty() ? "\"" : " or \"") + word + '"';
   return text;
 }
 
 /// Says of a word that is no choice in this dimension that it is one in the other.
 std::string other_dimension(const Key& key, const std::string& word) {
-  for (const Key* other : keys_of(key.section)) {
-    if (other->name != key.name || other->dimension == key.dimension) continue;
-    const std::vector<std::string> words = split(other->allowed.text, '|');
-    if (std::find(words.begin(), words.end(), word) != words.end())
-      return "only with " + readable_condition(*other) + "; ";
+  for (const Key& other : find_section(key.section).keys) {
+    if (other.name != key.name || other.dimension == key.dimension) continue;
+    if (std::find(other.words.begin(), other.words.end(), word) != other.words.end())
+      return "only with " + readable_condition(other) + "; ";
   }
   return {};
 }
@@ -93,11 +92,10 @@ ValueCheck check_text(const Key& key, const toml::node& node) {
   const std::string& word = text->get();
   bool ok = true;
   if (key.kind == Kind::choice) {
-    const std::vector<std::string> words = split(key.allowed.text, '|');
-    ok = std::find(words.begin(), words.end(), word) != words.end();
-    if (!ok && words.size() > 1)
+    ok = std::find(key.words.begin(), key.words.end(), word) != key.words.end();
+    if (!ok && key.words.size() > 1)
       return {false, to_text(node) + " (" + other_dimension(key, word) + "the nearest is \"" +
-                         nearest_name(word, words) + "\")"};
+                         nearest_name(word, key.words) + "\")"};
   } else if (key.kind == Kind::text) {
     ok = key.allowed.holds(static_cast<double>(word.size()));
   } else {
@@ -130,7 +128,7 @@ std::string kind_text(const Key& key, int dimension) {
     case Kind::names:
       return "a list of names (each " + std::string(key.allowed.text) + ")";
     case Kind::choice:
-      return quoted_words(key.allowed.text);
+      return quoted_words(key.words);
     case Kind::boolean:
       return "true or false";
     case Kind::integer:
@@ -200,7 +198,8 @@ std::string readable_condition(const Key& key) {
   std::string text;
   for (const std::string& part : split(key.when, '&')) {
     const std::vector<std::string> sides = split(part, '=');
-    text += (text.empty() ? "" : " and ") + sides[0] + (sides.size() > 1 ? " = " + quoted_words(sides[1]) : "");
+    text +=
+        (text.empty() ? "" : " and ") + sides[0] + (sides.size() > 1 ? " = " + quoted_words(split(sides[1], '|')) : "");
   }
   if (key.dimension != 0) text += (text.empty() ? "" : " and ") + ("dimension = " + std::to_string(key.dimension));
   return text;

@@ -12,16 +12,25 @@ namespace {
 /// Walks one table; elements of lists and sub-tables are walked by walkers of their own.
 class TableWalker {
  public:
-  TableWalker(const toml::table& written, std::string_view section, std::string path, int dimension, Report& report)
-      : written_(written), section_(section), path_(std::move(path)), dimension_(dimension), report_(report) {}
+  /// `target` is what the rows of the section fill.
+  TableWalker(const toml::table& written, const Section& section, void* target, std::string path, int dimension,
+              Report& report)
+      : written_(written),
+        section_(section),
+        target_(target),
+        path_(std::move(path)),
+        dimension_(dimension),
+        report_(report) {}
 
   toml::table complete() {
-    for (const Key* key : keys_of(section_)) {
-      const Condition condition = holds(*key);
-      if (condition == Condition::yes) take(*key);
-      if (condition == Condition::unknown) undecided_.insert(std::string(key->name));
+    for (const Key& key : section_.keys) {
+      const Condition condition = holds(key);
+      if (condition == Condition::yes) take(key);
+      if (condition == Condition::unknown) undecided_.insert(std::string(key.name));
     }
     report_strays();
+    if (section_.place) section_.place(target_, report_.where(path_));
+    if (section_.derive) section_.derive(target_, out_);
     return std::move(out_);
   }
 
@@ -104,7 +113,8 @@ class TableWalker {
       return false;
     }
     if (key.kind == Kind::points) place_points(*node.as_array(), path);
-    insert(out_, key.name, node);
+    node.visit([&](const auto& value) { out_.insert_or_assign(key.name, value); });
+    key.fill(target_, node);
     return true;
   }
 
@@ -114,15 +124,10 @@ class TableWalker {
       report_.place(join_path(path, std::to_string(i)), to_ref(*points.get(i)));
   }
 
-  static void insert(toml::table& target, std::string_view name, const toml::node& node) {
-    node.visit([&](const auto& value) { target.insert_or_assign(name, value); });
-  }
-
   bool accept_table(const Key& key, const toml::node& node, const std::string& path) {
     const toml::table* table = node.as_table();
     if (!table) return wrong_form(key, node, path);
-    TableWalker walker(*table, join_path(section_, key.name), path, dimension_, report_);
-    out_.insert_or_assign(key.name, walker.complete());
+    out_.insert_or_assign(key.name, complete_below(key, *table, std::string(key.name), path));
     return true;
   }
 
@@ -137,7 +142,7 @@ class TableWalker {
         report_.add_at(to_ref(name.source()), element_path, '"' + std::string(name.str()) + '"',
                        "a name of " + std::string(kIdentifierText));
       } else if (const toml::table* table = element.as_table()) {
-        named.insert_or_assign(name.str(), TableWalker(*table, key.name, element_path, dimension_, report_).complete());
+        named.insert_or_assign(name.str(), complete_below(key, *table, std::string(name.str()), element_path));
       } else {
         wrong_form(key, element, element_path);
       }
@@ -153,25 +158,29 @@ class TableWalker {
         !key.allowed.holds(static_cast<double>(list->size()))) {
       return wrong_form(key, node, path);
     }
-    const std::string section = join_path(section_, key.name);
     toml::array completed;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list->size(); ++i) {
       const toml::table& table = *list->get(i)->as_table();
-      const std::string element_path = join_path(path, element_name(section, table, i, names));
+      const std::string element_path = join_path(path, element_name(*key.below, table, i, names));
       report_.place(element_path, to_ref(table));
       report_.add_element(path, element_path);
-      completed.push_back(TableWalker(table, section, element_path, dimension_, report_).complete());
+      completed.push_back(complete_below(key, table, {}, element_path));
     }
     out_.insert_or_assign(key.name, std::move(completed));
     return true;
   }
 
   /// The element's own name if it has one that no element before it has, else its index.
-  static std::string element_name(std::string_view section, const toml::table& table, std::size_t index,
+  static std::string element_name(const Section& section, const toml::table& table, std::size_t index,
                                   std::set<std::string>& names) {
-    const auto name = table[find_section(section).id_key].value<std::string>();
+    const auto name = table[section.id_key].value<std::string>();
     return name && is_identifier(*name) && names.insert(*name).second ? *name : std::to_string(index);
+  }
+
+  toml::table complete_below(const Key& key, const toml::table& table, const std::string& name,
+                             const std::string& path) {
+    return TableWalker(table, *key.below, key.enter(target_, name), path, dimension_, report_).complete();
   }
 
   bool wrong_form(const Key& key, const toml::node& node, const std::string& path) {
@@ -184,9 +193,9 @@ class TableWalker {
       if (out_.contains(name.str()) || undecided_.contains(std::string(name.str()))) continue;
       std::vector<std::string> known;
       std::string uses;
-      for (const Key* key : keys_of(section_)) {
-        if (holds(*key) != Condition::no && (known.empty() || known.back() != key->name)) known.emplace_back(key->name);
-        if (key->name == name.str()) uses += (uses.empty() ? "" : " or ") + readable_condition(*key);
+      for (const Key& key : section_.keys) {
+        if (holds(key) != Condition::no && (known.empty() || known.back() != key.name)) known.emplace_back(key.name);
+        if (key.name == name.str()) uses += (uses.empty() ? "" : " or ") + readable_condition(key);
       }
       const SourceRef at =
           to_ref(node.source().path && *node.source().path == kOverrideSource ? node.source() : name.source());
@@ -200,7 +209,8 @@ class TableWalker {
   }
 
   const toml::table& written_;
-  std::string section_;
+  const Section& section_;
+  void* target_;
   std::string path_;
   int dimension_;
   Report& report_;
@@ -210,13 +220,13 @@ class TableWalker {
 
 }  // namespace
 
-toml::table complete_scene(const toml::table& written, Report& report) {
+toml::table complete_scene(const toml::table& written, Scene& scene, Report& report) {
   report.place("", {1, 1});
   // Points are judged by the dimension that the scene asks for or, if that is none, by the length of its gravity.
   const auto asked = written["dimension"].value_or<std::int64_t>(written.contains("dimension") ? 0 : 2);
   const toml::array* gravity = written["gravity"].as_array();
   const int dimension = asked == 3 || (asked != 2 && gravity && gravity->size() == 3) ? 3 : 2;
-  return TableWalker(written, "", "", dimension, report).complete();
+  return TableWalker(written, scene_section(), &scene, "", dimension, report).complete();
 }
 
 }  // namespace geodrop

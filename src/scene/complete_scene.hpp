@@ -1,12 +1,15 @@
-// Checks a scene as written against the table of keys and fills in the defaults.
+// Checks a scene as written against the rows of its sections, and fills its values and defaults.
 #pragma once
 
 #include "report.hpp"
 #include "toml.hpp"
 
+#include <geodrop/scene.hpp>
+
 namespace geodrop {
 
-/// Returns the scene with every key that is right and all defaults; everything that is wrong goes to the report.
-toml::table complete_scene(const toml::table& written, Report& report);
+/// Fills `scene` and returns it as TOML with every key that is right and all defaults; everything that is wrong goes to
+/// the report, and its members stay as they are by default.
+toml::table complete_scene(const toml::table& written, Scene& scene, Report& report);
 
 }  // namespace geodrop

@@ -1,8 +1,13 @@
-// The one table of all keys that a scene may have. Reading, checking, "nearest name", the scene as run and
-// docs/scene.md all come from it.
+// The one tree of all sections and keys that a scene may have. Reading, filling the values, checking, "nearest name",
+// the scene as run and docs/scene.md all come from it. The rows stand in sections/, and rows.hpp makes them.
 #pragma once
 
-#include <span>
+#include "toml.hpp"
+
+#include <geodrop/error.hpp>
+
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +33,7 @@ enum class Kind {
 
 /// What a value may be: words for the user, and the test of each number (of the length, for texts and lists of tables).
 struct Range {
-  std::string_view text;  ///< of a choice: its words, parted by '|'
+  std::string_view text;
   bool (*holds)(double) = nullptr;
   bool infinite = false;  ///< an infinite number is no mistake
 };
@@ -39,34 +44,54 @@ struct Need {
   std::string_view text = {};  ///< the default, or the other key
 };
 
+struct Section;
+
 struct Key {
-  std::string_view section;  ///< "" top level, "bodies.shape" the table `shape` of a body
   std::string_view name;
   Kind kind;
   std::string_view unit;  ///< "" if it has none
-  /// "" always; "type=box|ellipse": only if the neighbour `type` has one of these values; "points": only beside a
-  /// neighbour `points`; "type=box&points": both
-  std::string_view when;
   Need need;
   Range allowed;
   std::string_view meaning;
-  int dimension = 0;  ///< 2 or 3: only in scenes of this dimension; 0: in both
+  /// Puts an accepted value into what its section fills.
+  std::function<void(void* target, const toml::node& value)> fill = {};
+  std::vector<std::string> words = {};  ///< of a choice
+  std::vector<int> numbers = {};        ///< enumerators that the words stand for; empty if they stand for other values
+  std::shared_ptr<Section> below = {};  ///< of tables
+  /// Of tables: what the one table, the table of this name or the next one of the list fills.
+  std::function<void*(void* target, const std::string& name)> enter = {};
+  /// "" always; "type=box|ellipse": only if the neighbour `type` has one of these values; "points": only beside a
+  /// neighbour `points`; "type=box&points": both
+  std::string when = {};
+  int dimension = 0;             ///< 2 or 3: only in scenes of this dimension; 0: in both
+  std::string_view former = {};  ///< word that scenes had for it earlier; it still holds, with a note
+  std::string section = {};      ///< path of the section that it is in
+
+  Key only(std::string_view condition) && { return when = condition, std::move(*this); }
+  Key in(int space) && { return dimension = space, std::move(*this); }
+  Key formerly(std::string_view word) && { return former = word, std::move(*this); }
 };
 
-/// A table of the scene file: how it is written, and what names one of several.
+/// A table of the scene file: how it is written, what names one of several, and its rows in the order of the page. A
+/// key that decides about others (type, model, drainage) stands before them; a name may occur more than once with
+/// different conditions.
 struct Section {
-  std::string_view path;
   std::string_view heading;
   std::string_view id_key;  ///< key that names an element of a list of tables
   std::string_view about;
+  std::vector<Key> keys;
+  std::function<void(void* target, SourceRef at)> place = {};  ///< notes where the table stands
+  /// Fills what follows from several keys of the complete table.
+  std::function<void(void* target, const toml::table& complete)> derive = {};
+  std::string path = {};  ///< "" top level, "bodies.shape" the table `shape` of a body
 };
 
-std::span<const Key> key_table();
-std::span<const Section> section_table();
-const Section& find_section(std::string_view path);
+/// The top level.
+const Section& scene_section();
 
-/// All keys of a section in the order of the table; a name may occur more than once with different conditions.
-std::vector<const Key*> keys_of(std::string_view section);
+/// All sections in the order of the page.
+const std::vector<const Section*>& section_table();
+const Section& find_section(std::string_view path);
 
 /// Whether scenes of this dimension know the row.
 inline bool applies_in(const Key& key, int dimension) { return key.dimension == 0 || key.dimension == dimension; }
@@ -74,8 +99,12 @@ inline bool applies_in(const Key& key, int dimension) { return key.dimension == 
 /// "" + "grid" = "grid", "bodies" + "shape" = "bodies.shape".
 std::string join_path(std::string_view parent, std::string_view child);
 
-/// The word of a choice for one of its enumerators, which stand in the order of the words.
-std::string word_of(std::string_view section, std::string_view name, std::size_t enumerator);
+/// The word of a choice for one of its enumerators.
+std::string word_of(std::string_view section, std::string_view name, int enumerator);
+template <class Enum>
+std::string word_of(std::string_view section, std::string_view name, Enum enumerator) {
+  return word_of(section, name, static_cast<int>(enumerator));
+}
 
 /// The parts of "a|b|c".
 std::vector<std::string> split(std::string_view text, char separator);

@@ -16,4 +16,6 @@ bool any_model_drag(const Scene& scene);
 /// Something loads membrane nodes directly, not through the grid.
 bool any_membrane_load(const Scene& scene);
 
+bool any_tracer(const Scene& scene);
+
 }  // namespace geodrop

@@ -1,4 +1,5 @@
 #include "overrides.hpp"
+#include "former_words.hpp"
 #include "key_table.hpp"
 #include "nearest_name.hpp"
 
@@ -50,12 +51,12 @@ std::size_t find_element(const toml::array& list, const std::string& word, const
   if (const auto index = to_index(word, list)) return *index;
   std::vector<std::string> names;
   std::vector<std::size_t> hits;
-  const auto sections = section_table();
+  const auto& sections = section_table();
   const auto section =
-      std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.path == list_name; });
+      std::find_if(sections.begin(), sections.end(), [&](const Section* s) { return s->path == list_name; });
   for (std::size_t i = 0; section != sections.end() && i < list.size(); ++i) {
     const toml::table* table = list.get(i)->as_table();
-    const auto name = table ? (*table)[section->id_key].value<std::string>() : std::nullopt;
+    const auto name = table ? (*table)[(*section)->id_key].value<std::string>() : std::nullopt;
     if (name) names.push_back(*name);
     if (name == word) hits.push_back(i);
   }
@@ -104,8 +105,8 @@ void set_value(toml::node& node, const std::string& word, const std::string& val
   std::move(*parsed.get("x")).visit([&](auto&& x) { table->insert_or_assign(word, std::forward<decltype(x)>(x)); });
 }
 
-void apply(toml::table& scene, const std::string& key, const std::string& value) {
-  const std::vector<std::string> words = split(key, '.');
+void apply(toml::table& scene, const std::string& key, const std::string& value, Report& report) {
+  const std::vector<std::string> words = present_words(split(key, '.'), report);
   if (std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); })) {
     throw OverrideError{'"' + key + '"', "a key such as grid.spacing or materials.water.viscosity"};
   }
@@ -126,7 +127,7 @@ void apply_overrides(toml::table& scene, const std::vector<std::string>& overrid
     const std::string key = trim(text.substr(0, equals));
     try {
       if (equals == std::string::npos) throw OverrideError{'"' + text + '"', "KEY=VALUE, e.g. grid.spacing=0.125"};
-      apply(scene, key, trim(text.substr(equals + 1)));
+      apply(scene, key, trim(text.substr(equals + 1)), report);
     } catch (const OverrideError& error) {
       report.add_at({}, !key.empty() ? key : text.empty() ? "\"\"" : text, error.found, error.allowed);
     }

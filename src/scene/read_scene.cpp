@@ -1,9 +1,9 @@
 #include <geodrop/input_file.hpp>
 #include <geodrop/scene_reader.hpp>
 
-#include "bind_scene.hpp"
 #include "check_scene.hpp"
 #include "complete_scene.hpp"
+#include "former_words.hpp"
 #include "overrides.hpp"
 #include "write_scene.hpp"
 
@@ -23,17 +23,29 @@ toml::table parse(const std::string& path) {
   }
 }
 
+std::vector<std::string> notes_of(const std::string& path, const Report& report) {
+  std::vector<std::string> notes;
+  for (const auto& [at, text] : report.notes()) {
+    const std::string place = std::to_string(at.line) + ":" + std::to_string(at.column);
+    notes.push_back(path + ":" + (at.line == 0 ? " --set" : place) + ": " + text);
+  }
+  return notes;
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   Report report;
   toml::table written = parse(path);
+  rename_former_words(written, report);
   apply_overrides(written, overrides, report);
-  const toml::table complete = complete_scene(written, report);
-  Scene scene = bind_scene(complete, report);
+  rename_former_words(written, report);  // in the values of overrides
+  Scene scene;
+  const toml::table complete = complete_scene(written, scene, report);
   check_scene(scene, report);
   if (!report.problems().empty()) throw SceneError(path, report.problems());
   scene.file = path;
+  scene.notes = notes_of(path, report);
   scene.as_run = write_scene(complete);
   return scene;
 }

@@ -33,6 +33,16 @@ class Report {
   }
   void add_at(SourceRef at, const std::string& key, std::string found, std::string allowed);
 
+  /// The former word still holds.
+  void note(SourceRef at, const std::string& former, const std::string& present) {
+    notes_.push_back({at, '"' + former + "\" is called \"" + present + "\" now"});
+  }
+  struct Note {
+    SourceRef at;
+    std::string text;
+  };
+  const std::vector<Note>& notes() const { return notes_; }
+
   /// No problem so far with the key or anything below it.
   bool healthy(const std::string& key) const;
 
@@ -43,6 +53,7 @@ class Report {
   std::map<std::string, SourceRef> places_;
   std::map<std::string, std::vector<std::string>> elements_;
   std::vector<SceneProblem> problems_;
+  std::vector<Note> notes_;
 };
 
 }  // namespace geodrop

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::string_view kOpening = R"(# The scene file
 
-A scene is one TOML file; units are SI, angles in degrees. This page is made from the table that the reader checks
-against (`src/scene/key_table.cpp`), so it says what the program does.
+A scene is one TOML file; units are SI, angles in degrees. This page is made from the rows that the reader checks
+against (`src/scene/sections/`), so it says what the program does.
 
 - Every key is checked: an unknown key, a wrong type, a missing key or a value out of range is an error that names the
   file, line and column, the full key, what was found and what is allowed. All are reported at once, but for a slip of TOML itself, which hides the rest, and for columns of
@@ -71,19 +71,20 @@ std::string row(const Key& key) {
   Key without_unit = key;
   without_unit.unit = {};
   const std::string when = readable_condition(key);
+  const std::string former = key.former.empty() ? "" : "; formerly `" + std::string(key.former) + "`";
   const std::string unit = key.unit.empty() ? "" : std::string(key.unit);
   return "| `" + std::string(key.name) + "` | " + describe_allowed(without_unit, kEither) + " | " + unit + " | " +
-         need_text(key) + " | " + when + " | " + escape_bars(std::string(key.meaning)) + " |\n";
+         need_text(key) + " | " + when + " | " + escape_bars(std::string(key.meaning)) + former + " |\n";
 }
 
 }  // namespace
 
 std::string scene_reference_markdown() {
   std::string page(kOpening);
-  for (const Section& section : section_table()) {
-    page += "\n## " + std::string(section.heading) + "\n\n" + std::string(section.about) + "\n\n";
+  for (const Section* section : section_table()) {
+    page += "\n## " + std::string(section->heading) + "\n\n" + std::string(section->about) + "\n\n";
     page += "| key | value | unit | default | only with | meaning |\n|---|---|---|---|---|---|\n";
-    for (const Key* key : keys_of(section.path)) page += row(*key);
+    for (const Key& key : section->keys) page += row(key);
   }
   return page;
 }

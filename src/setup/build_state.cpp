@@ -17,6 +17,7 @@
 #include "../contact/membrane_contact.hpp"
 #include "../contact/surface_contact.hpp"
 #include "../pipeline/scene_stages.hpp"
+#include "../probes/probes.hpp"
 #include "fill_particles.hpp"
 #include "initial_stress.hpp"
 #include "membrane_nodes.hpp"

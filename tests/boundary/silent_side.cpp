@@ -62,7 +62,7 @@ TEST_CASE("Water at rest stays as it is, to round-off") {
 }
 
 TEST_CASE("Pressure and velocity fade at one rate, with the square of the depth in the layer; volumes stay") {
-  Pond pond({"silent_sides.left.water_beyond=inf", "silent_sides.right.water_beyond=inf"});
+  Pond pond({"absorbing_layers.left.water_beyond=inf", "absorbing_layers.right.water_beyond=inf"});
   constexpr double pressure = 1e3;
   pond.press(pressure);
   for (double& v : pond.water().v[0]) v = 0.3;

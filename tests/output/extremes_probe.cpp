@@ -1,5 +1,5 @@
 // The worst of all particles, against values set by hand.
-#include "output/extremes_probe.hpp"
+#include "probes/extremes_probe.hpp"
 
 #include <doctest/doctest.h>
 #include <geodrop/history.hpp>

@@ -1,5 +1,5 @@
 // How far a heap reaches.
-#include "output/front_probe.hpp"
+#include "probes/front_probe.hpp"
 
 #include <doctest/doctest.h>
 

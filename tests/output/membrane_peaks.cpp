@@ -16,7 +16,7 @@ Scene scene_with_strength(double strength) {
   return scene;
 }
 
-/// Row of a state whose membrane was pulled to `peak` [N/m] since the row before.
+/// HistoryRow of a state whose membrane was pulled to `peak` [N/m] since the row before.
 std::vector<double> row_at(const Scene& scene, double t, double peak, const HistoryTable& earlier) {
   State<2> state = small_state();
   state.t = t;

@@ -1,11 +1,12 @@
 // Probes where it comes to the last digit: how near to a tip counts as near, where between two columns a heap ends.
 #include <doctest/doctest.h>
+#include "probes/probes.hpp"
 
 #include <algorithm>
 
-#include "output/front_probe.hpp"
-#include "output/pressure_probe.hpp"
 #include "output/strays.hpp"
+#include "probes/front_probe.hpp"
+#include "probes/pressure_probe.hpp"
 #include "support/near.hpp"
 #include "support/small_state.hpp"
 

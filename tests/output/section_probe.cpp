@@ -1,5 +1,5 @@
 // Forces over a section: exact for uniform stress and tension, and what the grid itself adds up otherwise.
-#include "output/section_probe.hpp"
+#include "probes/section_probe.hpp"
 
 #include <doctest/doctest.h>
 #include <geodrop/history.hpp>

@@ -1,5 +1,5 @@
 // Tension of a part of a membrane, and the spread of stress over particles.
-#include "output/span_probe.hpp"
+#include "probes/span_probe.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,11 @@
 // Pressure of water apart from its still value, and water on the wrong side of a membrane.
 #include <doctest/doctest.h>
+#include "probes/probes.hpp"
 
 #include <cmath>
 
-#include "output/pressure_probe.hpp"
 #include "output/strays.hpp"
+#include "probes/pressure_probe.hpp"
 #include "support/near.hpp"
 #include "support/small_state.hpp"
 

@@ -18,6 +18,12 @@ namespace {
 const std::string every_key = source_path("tests/scene/every_key.toml");
 const std::string every_key_3d = source_path("tests/scene/every_key_3d.toml");
 
+std::vector<Key> key_table() {
+  std::vector<Key> keys;
+  for (const Section* section : section_table()) keys.insert(keys.end(), section->keys.begin(), section->keys.end());
+  return keys;
+}
+
 /// The scene in which a row occurs.
 const std::string& scene_of(const Key& key) { return key.dimension == 3 ? every_key_3d : every_key; }
 
@@ -26,17 +32,17 @@ using Tables = std::multimap<std::string, std::pair<std::string, toml::table>>;
 
 void collect(const toml::table& table, const std::string& section, const std::string& path, Tables& tables) {
   tables.insert({section, {path, table}});
-  for (const Key* key : keys_of(section)) {
-    const std::string sub_section = join_path(section, key->name), sub_path = join_path(path, key->name);
-    const toml::node* node = table.get(key->name);
+  for (const Key& key : find_section(section).keys) {
+    const std::string sub_section = join_path(section, key.name), sub_path = join_path(path, key.name);
+    const toml::node* node = table.get(key.name);
     if (!node) continue;
-    if (key->kind == Kind::table) collect(*node->as_table(), sub_section, sub_path, tables);
-    if (key->kind == Kind::named_tables) {
+    if (key.kind == Kind::table) collect(*node->as_table(), sub_section, sub_path, tables);
+    if (key.kind == Kind::named_tables) {
       for (const auto& [name, element] : *node->as_table()) {
         collect(*element.as_table(), sub_section, join_path(sub_path, name.str()), tables);
       }
     }
-    for (std::size_t i = 0; key->kind == Kind::table_list && i < node->as_array()->size(); ++i) {
+    for (std::size_t i = 0; key.kind == Kind::table_list && i < node->as_array()->size(); ++i) {
       collect(*node->as_array()->get(i)->as_table(), sub_section, join_path(sub_path, std::to_string(i)), tables);
     }
   }
@@ -181,7 +187,7 @@ TEST_CASE("every choice refuses a word that is none of its own, and names the ne
   const BothScenes tables = all_tables();
   for (const Key& key : key_table()) {
     if (key.kind != Kind::choice) continue;
-    const std::vector<std::string> words = split(key.allowed.text, '|');
+    const std::vector<std::string>& words = key.words;
     check_refused(key, place_of(key, tables), words.back() + "x");
     const std::string error = scene_error(scene_of(key), {place_of(key, tables) + "=" + words.back() + "x"});
     for (const std::string& word : words) CHECK(error.find('"' + word + '"') != std::string::npos);

@@ -1,4 +1,5 @@
 // A scene's values as they come out of the reader, and the scene as run.
+#include "probes/probes.hpp"
 #include "scene/units.hpp"
 #include "support/near.hpp"
 #include "support/scene_files.hpp"

@@ -42,21 +42,21 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 TEST_CASE("A plane pulse leaves through a silent side; a wall sends it back") {
-  CHECK(reflected() < 0.03);                                  // 2.6 %
-  CHECK(reflected({"silent_sides.right.width=4.0"}) < 0.02);  // 1.5 %
-  CHECK(reflected({"grid.spacing=0.125"}) < 0.02);            // 1.4 %
-  CHECK(reflected({"silent_sides=[]"}) > 0.95);               // 99 %
+  CHECK(reflected() < 0.03);                                      // 2.6 %
+  CHECK(reflected({"absorbing_layers.right.width=4.0"}) < 0.02);  // 1.5 %
+  CHECK(reflected({"grid.spacing=0.125"}) < 0.02);                // 1.4 %
+  CHECK(reflected({"absorbing_layers=[]"}) > 0.95);               // 99 %
   // The column beyond is lighter than the wave is long: 1 - exp(-4 m / (2 L)) of its front at most.
-  const double column = reflected({"silent_sides.right.water_beyond=8.0"});
+  const double column = reflected({"absorbing_layers.right.water_beyond=8.0"});
   CHECK(column > 0.1);
   CHECK(column < 0.24);
 }
 
 TEST_CASE("A round pulse: what comes back, against water so wide that nothing does") {
   const SceneRun silent("tests/scenes/round_pulse.toml", {}),
-      closed("tests/scenes/round_pulse.toml", {"silent_sides=[]"});
+      closed("tests/scenes/round_pulse.toml", {"absorbing_layers=[]"});
   const SceneRun wide("tests/scenes/round_pulse.toml",
-                      {"silent_sides=[]", "grid.lower.0=-24", "grid.upper.0=24", "bodies.water.shape.lower.0=-24",
+                      {"absorbing_layers=[]", "grid.lower.0=-24", "grid.upper.0=24", "bodies.water.shape.lower.0=-24",
                        "bodies.water.shape.upper.0=24"});
   const std::vector<double> reference = velocities(wide);
   const double of_silent = difference(velocities(silent), reference),
@@ -83,7 +83,7 @@ TEST_CASE("The fall between silent sides 16 m apart is that in water 40 m wide")
   const std::string scene = "cases/verification/fall_free_slip.toml";
   const std::vector<std::string> short_fall{"time.end=1.01"};
   std::vector<std::string> silent = short_fall, wide = short_fall;
-  silent.push_back("silent_sides=[" + sides("left") + "," + sides("right") + "]");
+  silent.push_back("absorbing_layers=[" + sides("left") + "," + sides("right") + "]");
   for (const char* key : {"grid.", "bodies.water.shape."}) {
     wide.push_back(std::string(key) + "lower.0=-20.0");
     wide.push_back(std::string(key) + "upper.0=20.0");

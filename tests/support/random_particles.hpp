@@ -4,6 +4,7 @@
 
 #include <geodrop/grid.hpp>
 #include <geodrop/materials.hpp>
+#include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <geodrop/grid.hpp>
+#include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include <geodrop/scene.hpp>
 #include <geodrop/state.hpp>
+#include "probes/probes.hpp"
 
 #include <array>
 #include <string>

@@ -11,9 +11,9 @@
 #include <numeric>
 #include <optional>
 
-#include "atomic_file.hpp"
-#include "fixed_order_sum.hpp"
-#include "text.hpp"
+#include "../output/atomic_file.hpp"
+#include "../output/fixed_order_sum.hpp"
+#include "../output/text.hpp"
 
 namespace geodrop {
 namespace {
@@ -100,22 +100,22 @@ std::vector<std::pair<std::string, double>> geotube_columns(const Scene& scene, 
           {"tension_error_ratio", now.tension_mean / of_exact(&Geotube::tension) - 1}};
 }
 
-void write_geotube_profile(const Scene& scene, const GeotubeProbeSpec& probe, const State<2>& state,
-                           const std::filesystem::path& directory) {
-  const Membrane<2>& membrane = find_named(state.membranes, probe.membrane);
-  const Body<2>& fill = find_named(state.bodies, membrane.body);
-  const MembraneMeasures<2> now = measure(membrane);
-  const std::size_t n = membrane.nodes();
+void GeotubeProbeSpec::write_profile(const Scene& scene, const State<2>& state,
+                                     const std::filesystem::path& directory) const {
+  const Membrane<2>& tube = find_named(state.membranes, membrane);
+  const Body<2>& fill = find_named(state.bodies, tube.body);
+  const MembraneMeasures<2> now = measure(tube);
+  const std::size_t n = tube.nodes();
   std::string outline = "x_m,y_m,tension_N_m\n";
   for (std::size_t k = 0; k <= n; ++k)  // closed; of the segment behind each node
-    outline += csv_line({membrane.x[0][k % n], membrane.x[1][k % n], membrane.tension[k % n]});
-  write_file_atomically(directory / ("geotube_" + probe.name + "_outline.csv"), outline);
+    outline += csv_line({tube.x[0][k % n], tube.x[1][k % n], tube.tension[k % n]});
+  write_file_atomically(directory / ("geotube_" + name + "_outline.csv"), outline);
 
   std::string pressures = "height_m,pressure_Pa\n";
   for (std::size_t p = 0; p < fill.size(); ++p) pressures += csv_line({fill.x[1][p], mean_pressure(fill, p)});
-  write_file_atomically(directory / ("geotube_" + probe.name + "_pressure.csv"), pressures);
+  write_file_atomically(directory / ("geotube_" + name + "_pressure.csv"), pressures);
 
-  const std::optional<Geotube> exact = exact_tube(scene, probe, membrane, fill);
+  const std::optional<Geotube> exact = exact_tube(scene, *this, tube, fill);
   if (!exact) return;
   constexpr int segments = 360;
   const double middle = 0.5 * (now.lower[0] + now.upper[0]), ground = now.lower[1];
@@ -124,7 +124,7 @@ void write_geotube_profile(const Scene& scene, const GeotubeProbeSpec& probe, co
     const double fill_pressure = exact->fill_pressure_bottom - exact->unit_weight * point.z;
     exact_outline += csv_line({middle + point.x, ground + point.z, fill_pressure, exact->tension});
   }
-  write_file_atomically(directory / ("geotube_" + probe.name + "_exact.csv"), exact_outline);
+  write_file_atomically(directory / ("geotube_" + name + "_exact.csv"), exact_outline);
 }
 
 }  // namespace geodrop

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "fixed_order_sum.hpp"
+#include "../output/fixed_order_sum.hpp"
 #include "grid/point_support.hpp"
 #include "membrane/polygon.hpp"
 
@@ -18,9 +18,9 @@ struct RightShare {
   double value, slope;  ///< [-], [1/m]
 };
 
-class Section {
+class UprightSection {
  public:
-  Section(const GridLayout<2>& layout, double position) : layout_(layout), position_(position) {}
+  UprightSection(const GridLayout<2>& layout, double position) : layout_(layout), position_(position) {}
 
   RightShare at(double x, double half_size) const {
     const auto [base, n] = support_along(layout_, 0, x, half_size);
@@ -41,7 +41,7 @@ class Section {
   double position_;
 };
 
-double membrane_force(const Section& section, const Membrane<2>& membrane) {
+double membrane_force(const UprightSection& section, const Membrane<2>& membrane) {
   double sum = 0;
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     const std::size_t end = end_of_edge(s, membrane.nodes());
@@ -58,7 +58,7 @@ double membrane_force(const Section& section, const Membrane<2>& membrane) {
 
 SectionForces section_forces(const Scene& scene, const SectionProbeSpec& probe, const State<2>& state) {
   const GridLayout<2> layout(scene.grid, scene.walls);
-  const Section section(layout, probe.position);
+  const UprightSection section(layout, probe.position);
   const Body<2>& body = find_named(state.bodies, probe.body);
   SectionForces forces;
   forces.soil = -fixed_order_sum<double>(body.size(), [&](double& sum, std::size_t p) {

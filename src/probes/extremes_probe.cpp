@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "fixed_order_sum.hpp"
+#include "../output/fixed_order_sum.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,0 +1,26 @@
+// The list of all probes. Only what reads or measures them includes this: a new probe does not recompile the rest.
+#pragma once
+
+#include <variant>
+
+#include "exact_probe.hpp"
+#include "extremes_probe.hpp"
+#include "front_probe.hpp"
+#include "geotube_probe.hpp"
+#include "pressure_probe.hpp"
+#include "section_probe.hpp"
+#include "span_probe.hpp"
+#include "stress_probe.hpp"
+#include "tracer_probe.hpp"
+
+namespace geodrop {
+
+struct ProbeSpec {
+  std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
+               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec>
+      probe;
+  SourceRef at;
+  bool operator==(const ProbeSpec&) const = default;
+};
+
+}  // namespace geodrop

@@ -1,0 +1,74 @@
+// Rigid bodies, how they move, and what touches what.
+#include "sections.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr Range penalty_range{"> 0 and <= 4 (stiffer contacts gain energy)", [](double x) { return x > 0 && x <= 4; }};
+
+}  // namespace
+
+// clang-format off
+SectionOf<RigidShape> rigid_shape_section() {
+  constexpr RowsOf<RigidShape> key;
+  return {
+      "shape of a rigid body", "",
+      "An inline table; `type` says which keys it has. What comes beside the segment of a capsule stays on the side "
+      "on which it came, down to twice the radius deep.", {
+      key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}}, required, "which shape; capsule: a segment with rounded ends"),
+      key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane"),
+      key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the rigid body; of any length").only("type=half_plane"),
+      key("from", &CapsuleShape::from, "m", required, any, "one end of the segment").only("type=capsule"),
+      key("to", &CapsuleShape::to, "m", required, any, "its other end; the same point: a disc").only("type=capsule"),
+      key("radius", &CapsuleShape::radius, "m", required, positive, "of the ends, half the thickness").only("type=capsule"),
+  }};
+}
+
+SectionOf<RigidMotion> rigid_motion_section() {
+  constexpr RowsOf<RigidMotion> key;
+  return {
+      "motion of a rigid body", "",
+      "An inline table; `type` says which keys it has.", {
+      key("type", itself<RigidMotion>, {{"none", std::monostate{}}, {"hinge", HingeMotionSpec{}}, {"translation", TranslationMotionSpec{}}, {"table", TableMotionSpec{}}}, required, "hinge: rotation at a constant rate; translation: at a constant velocity; table: either, piecewise linear in time"),
+      key("rate", &HingeMotionSpec::rate, "rad/s", required, not_zero, "anticlockwise").only("type=hinge"),
+      key("stop_angle_deg", &HingeMotionSpec::stop_angle_deg, "degree", required, positive, "how far it turns, in either sense").only("type=hinge"),
+      key("velocity", &TranslationMotionSpec::velocity, "m/s", required, any, "of all its points").only("type=translation"),
+      key.decides("of", {"angle", "displacement"}, required, "what the table lists").only("type=table"),
+      key.reals("times", &TableMotionSpec::times, "s", required, not_negative, "ascending; it is at rest before the first and after the last").only("type=table"),
+      key.reals("angles_deg", &TableMotionSpec::angles_deg, "degree", required, any, "one for each time, anticlockwise from the start").only("of=angle"),
+      key("displacements", &TableMotionSpec::displacements, "m", required, any, "one for each time, from the start").only("of=displacement"),
+      key("centre", &HingeMotionSpec::centre, "m", required, any, "of the rotation").only("type=hinge"),
+      key("centre", &TableMotionSpec::centre, "m", required, any, "of the rotation").only("of=angle"),
+  }};
+}
+
+SectionOf<RigidSpec> rigid_section() {
+  constexpr RowsOf<RigidSpec> key;
+  return {
+      "[[rigid]]", "name",
+      "Rigid ground, walls and hulls; only what `contacts` names notices them.", {
+      key("name", &RigidSpec::name, required, identifier, "what contacts refer to"),
+      key.table("shape", &RigidSpec::shape, rigid_shape_section(), required, "where it is"),
+      key.table("motion", &RigidSpec::motion, rigid_motion_section(), standard("{ type = \"none\" }"), "how it moves"),
+  }};
+}
+
+SectionOf<ContactSpec> contacts_section() {
+  constexpr RowsOf<ContactSpec> key;
+  constexpr auto between = [](ContactSpec& contact, const std::vector<std::string>& names) {
+    if (names.size() == 2) contact.between = {names[0], names[1]};  // check_contacts refuses other numbers
+  };
+  return {
+      "[[contacts]]", "",
+      "Surface contact of a membrane's nodes, or of the particles of a body without membrane, with a rigid body, "
+      "and of membranes with each other or their own folds: penalty normal to the surface, Coulomb friction along "
+      "it.", {
+      key("between", between, required, reference, "in any order a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds"),
+      key("friction", &ContactSpec::friction, "", required, not_negative, "coefficient of Coulomb friction"),
+      key("stiffness", &ContactSpec::stiffness, "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body that touches, h the cell. The step is at most h / (c sqrt(2 stiffness))"),
+      key("damping", &ContactSpec::damping, "", standard("1.0"), share, "of the penalty: pressure per normal velocity over the impedance rho c of the body that touches (of two membranes: of both bodies in series); 1 absorbs what its own waves bring"),
+  }};
+}
+// clang-format on
+
+}  // namespace geodrop

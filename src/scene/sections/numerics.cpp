@@ -1,0 +1,76 @@
+// The scheme, the course of a run in time, and its output.
+#include "sections.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr Range courant_range{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
+
+}  // namespace
+
+// clang-format off
+SectionOf<SolverSpec> solver_section() {
+  constexpr RowsOf<SolverSpec> key;
+  return {
+      "[solver]", "",
+      "The scheme.", {
+      key("transfer", &SolverSpec::transfer, {{"tpic", Transfer::tpic}, {"blend", Transfer::blend}, {"musl", Transfer::musl}}, required, "tpic: particle velocity and its gradient from the grid; blend: tpic that keeps part of the particle's own velocity; musl: like blend without the gradient, strains from the particles' new velocity (the only one on tri3, tet4). For soil, quasi-static loading and water at rest tpic; for dumping, waves and vortices blend (docs/verification.md)"),
+      key("blend_rate", &SolverSpec::blend_rate, "1/s", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)").only("transfer=blend|musl"),
+      key("mass_matrix", &SolverSpec::mass_matrix, {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}}, standard("\"lumped\""), "lumped: nodes move by their own mass; consistent: corrected for lumping, which lowers the frequency of waves by about (k h)^2 / 8 (bspline2 and linear only)"),
+      key("courant", &SolverSpec::courant, "", standard("0.5"), courant_range, "C in dt = C h / (c + v); 0.3 where water splashes or falls on walls (docs/verification.md)"),
+      key("damping_rate", &SolverSpec::damping_rate, "1/s", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"),
+  }};
+}
+
+SectionOf<RelaxationSpec> relaxation_section() {
+  constexpr RowsOf<RelaxationSpec> key;
+  return {
+      "[relaxation]", "",
+      "Dynamic relaxation to a state at rest; both ratios have to hold over three cycles of kinetic damping in a "
+      "row.", {
+      key("damping", &RelaxationSpec::damping, {{"none", RelaxationSpec::Damping::none}, {"kinetic", RelaxationSpec::Damping::kinetic}}, required, "kinetic: all velocities are set to zero at each peak of the kinetic energy, and the run ends once both ratios are met"),
+      key("kinetic_ratio", &RelaxationSpec::kinetic_ratio, "", required, positive, "kinetic energy over the work done by gravity, or against it, to be reached").only("damping=kinetic"),
+      key("out_of_balance_ratio", &RelaxationSpec::out_of_balance_ratio, "", required, positive, "norm of the forces out of balance over that of the weight, to be reached").only("damping=kinetic"),
+  }};
+}
+
+SectionOf<TimeSpec> time_section() {
+  constexpr RowsOf<TimeSpec> key;
+  return {
+      "[time]", "",
+      "How long to run.", {
+      key("end", &TimeSpec::end, "s", required, positive, "simulated time; the run ends with the first step that reaches it, up to one step later (no step is shortened)"),
+  }};
+}
+
+SectionOf<Scene> output_section() {
+  constexpr RowsOf<Scene> key;
+  return {
+      "[output]", "",
+      "What is written, how often.", {
+      key("frame_interval", [](Scene& scene, double interval) { scene.output.frame_interval = interval; }, "s", required, positive, "time between pictures (VTU frames), at least 1e-9 of time.end; one is written at the first step at or after each multiple"),
+      key("history_interval", [](Scene& scene, double interval) { scene.output.history_interval = interval; }, "s", required, positive, "time between rows of history.csv, likewise"),
+      key("compress", [](Scene& scene, bool compress) { scene.output.compress = compress; }, standard("false"), "compress the VTU files"),
+      key("checkpoint_interval", [](Scene& scene, double interval) { scene.checkpoints.interval = interval; }, "s", standard("300.0"), not_negative, "wall time between checkpoints, from which a run that was killed goes on; 0: none by wall time. The last two are kept"),
+      key("checkpoint_every", [](Scene& scene, double interval) { scene.checkpoints.every = interval; }, "s", standard("0.0"), not_negative, "simulated time between checkpoints, besides those by wall time; 0: none"),
+  }};
+}
+
+SectionOf<StageSpec> stages_section() {
+  constexpr RowsOf<StageSpec> key;
+  return {
+      "[[stages]]", "name",
+      "Parts of a run in time order; each lasts until the next one begins, the last until time.end. A body that a "
+      "stage `places` is not there before.", {
+      key("name", &StageSpec::name, required, identifier, "what happens in it"),
+      key("from", &StageSpec::from, "s", required, not_negative, "when it begins; the first one at 0"),
+      key("damping_rate", &StageSpec::damping_rate, "1/s", standard("0.0"), not_negative, "mass-proportional damping of velocity in this stage; never damp an impact"),
+      key("damping_ramp", &StageSpec::damping_ramp, "s", standard("0.0"), not_negative, "time over which the damping rises to that"),
+      key("places", &StageSpec::places, standard("[]"), reference, "bodies that come in, with their membranes"),
+      key("moves", &StageSpec::moves, standard("[]"), reference, "rigid bodies whose motion goes on in this stage; all others stand still"),
+      key("removes", &StageSpec::removes, standard("[]"), reference, "rigid bodies that are taken away"),
+  }};
+}
+// clang-format on
+
+}  // namespace geodrop
