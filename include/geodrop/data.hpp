@@ -13,6 +13,7 @@ namespace geodrop {
 enum class Data : std::uint8_t {
   // Of the state:
   time,
+  time_step,  ///< of StepContext, not of the state
   stage,
   largest_motion,
   bodies,

@@ -18,7 +18,8 @@ double unwrap(double degrees, double before) { return degrees + 360 * std::round
 
 /// In 2D an angle that goes on beyond half a turn; in 3D the components of axis times angle, as they are.
 template <int Dim>
-void list_rotation(HistoryRow& row, const std::string& name, const Rotation<Dim>& rotation, const HistoryTable& earlier) {
+void list_rotation(HistoryRow& row, const std::string& name, const Rotation<Dim>& rotation,
+                   const HistoryTable& earlier) {
   constexpr double degrees = 180 / std::numbers::pi;
   if constexpr (Dim == 2) {
     const double before = earlier.rows.empty() ? 0 : earlier.rows.back()[row.values.size()];
@@ -56,7 +57,8 @@ void list_body(HistoryRow& row, const std::string& name, const BodyMeasures<Dim>
 
 /// `peak`: largest tension since the row before.
 template <int Dim>
-void list_membrane(HistoryRow& row, const std::string& name, const MembraneMeasures<Dim>& membrane, double peak, bool closed) {
+void list_membrane(HistoryRow& row, const std::string& name, const MembraneMeasures<Dim>& membrane, double peak,
+                   bool closed) {
   row.add(name + ".tension_max_N_m", membrane.tension_max);
   row.add(name + ".tension_mean_N_m", membrane.tension_mean);
   row.add(name + ".tension_p95_N_m", membrane.tension_p95);

@@ -46,8 +46,9 @@ std::vector<Fact> membrane_peaks(const Scene& scene, const HistoryTable& history
   for (const MembraneSpec& membrane : scene.membranes) {
     const std::string name = membrane.name + ".tension_peak_N_m";
     const std::size_t peak = history.find(name);
-    const HistoryRow& highest = *std::max_element(history.rows.begin(), history.rows.end(),
-                                           [&](const HistoryRow& a, const HistoryRow& b) { return a[peak] < b[peak]; });
+    const HistoryRow& highest =
+        *std::max_element(history.rows.begin(), history.rows.end(),
+                          [&](const HistoryRow& a, const HistoryRow& b) { return a[peak] < b[peak]; });
     facts.push_back({name, highest[peak]});
     facts.push_back({membrane.name + ".time_of_peak_s", highest.front()});
   }

@@ -21,8 +21,7 @@ Row<Dim> stable_dt_row(const Scene& scene) {
   return {"stable_dt",
           Data::velocity | Data::volume_ratio | Data::stress | Data::material_state | Data::membranes | Data::contacts |
               Data::rigid_bodies | Data::largest_motion | Data::stage,
-          {},
-          true,
+          Data::time_step, true,
           [limit = StepLimits(scene)](const State<Dim>& s, const Grids<Dim>& f, StepContext& step) {
             step.dt = stable_dt(limit, s, f.front().layout);
           }};

@@ -177,6 +177,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
 }
 
 constexpr std::string_view names[] = {"time",
+                                      "time step",
                                       "stage",
                                       "largest motion",
                                       "bodies",

@@ -1,6 +1,6 @@
 // Stages of a run in time: bodies that come in later, and damping from when on.
-#include "pipeline/stable_dt.hpp"
 #include "pipeline/scene_stages.hpp"
+#include "pipeline/stable_dt.hpp"
 
 #include <doctest/doctest.h>
 #include <geodrop/checkpoint.hpp>
