@@ -87,7 +87,7 @@ TEST_CASE("A scene that was changed differs where the change acts") {
 TEST_CASE("Parts: the first stage whose hash differs is named") {
   const SceneRun run = recorded({"--record-parts", "20:22"});
   REQUIRE(run.outcome().code == 0);
-  CHECK(line_of(run.file("parts.csv"), 1).starts_with("20,sort_particles,"));
+  CHECK(line_of(run.file("parts.csv"), 1).starts_with("20,stable_dt,"));
   CHECK(replay(run, "2").code == 0);
   std::string part;
   for (int k = 1; !part.starts_with("21,momentum,"); ++k) part = line_of(run.file("parts.csv"), k);

@@ -1,6 +1,8 @@
 // A membrane beyond its strength is told once, and its largest tension is told at the end.
 #include "output/membrane_peaks.hpp"
 
+#include <geodrop/output.hpp>
+
 #include "support/scene_files.hpp"
 #include "support/small_state.hpp"
 

@@ -63,7 +63,7 @@ TEST_CASE("A row that changes what it does not name is named, with the fields") 
   const Scene scene = read_scene(source_path("cases/hydrostatic_column.toml"));
   State<2> state = build_state<2>(scene);
   Grids<2> grids = make_grids<2>(scene);
-  const Row<2> row{"meddler", Data::position, Data::velocity, true, [](State<2>& s, Grids<2>& g, StepContext&) {
+  const Row<2> row{"meddler", Data::volume_ratio, Data::velocity, true, [](State<2>& s, Grids<2>& g, StepContext&) {
                      s.bodies[0].v[0][3] += 1;
                      s.bodies[0].J[2] *= 2;
                      g[0].cell_pressure[7] = 5;
