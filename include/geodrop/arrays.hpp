@@ -79,7 +79,7 @@ template <unsigned roles, class Owner, class F>
 /// Number of arrays of the fields of a list that have one of the roles.
 template <unsigned roles, class... Owner, class... Values, unsigned... entry_roles>
 constexpr std::size_t count_arrays(const std::tuple<FieldEntry<entry_roles, Owner, Values>...>&) {
-  return (((entry_roles & roles) != 0 ? sizeof(Values) / sizeof(Array<double>) : 0) + ... + 0);
+  return (((entry_roles & roles) != 0 ? sizeof(Values) / sizeof(Array<double>) : 0) + ... + 0);  // NOLINT: of vectors
 }
 
 /// What a particle's field takes part in.
