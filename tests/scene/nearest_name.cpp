@@ -22,3 +22,8 @@ TEST_CASE("the nearest name is the first of the nearest") {
   CHECK(nearest_name("x", {}).empty());
   CHECK(name_advice("x", {}, "bodies") == "nothing here: the scene has no bodies");
 }
+
+TEST_CASE("Names of a megabyte are compared by their beginning") {
+  const std::string endless(1'000'000, 'x');
+  CHECK(nearest_name(endless, {std::string(1'000'000, 'y'), "xxx"}) == "xxx");
+}
