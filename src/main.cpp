@@ -28,6 +28,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -50,6 +51,12 @@ struct Arguments {
   bool growth = false;
   bool instructions = false;
   geodrop::BenchOptions bench;
+  geodrop::GeotubeArguments geotube;
+  geodrop::ReleaseArguments release;
+  geodrop::FallArguments fall;
+  geodrop::VerifyArguments verification;
+  geodrop::ReplayArguments replay;
+  geodrop::PlotArguments plot;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -210,6 +217,125 @@ void add_bench_options(CLI::App& command, Arguments& arguments) {
   add_bench_modes(command, arguments);
 }
 
+void add_threads(CLI::App& command, Arguments& arguments) {
+  command.add_option("--threads", arguments.threads, "number of threads (default: all cores)")->check(thread_count());
+}
+
+void add_run_options(CLI::App& command, Arguments& arguments) {
+  add_scene(command, arguments);
+  add_threads(command, arguments);
+  command.add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
+  command.add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
+      ->check(positive_time());
+  auto* resume =
+      command.add_flag("--resume", arguments.resume, "go on from the newest checkpoint in the run directory");
+  command
+      .add_flag("--overwrite", arguments.overwrite,
+                "replace an earlier run in the run directory (default: it becomes NAME.1, NAME.2, ...)")
+      ->excludes(resume);
+  command.add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
+  command
+      .add_option("--record-parts", arguments.parts,
+                  "write a hash after each row of the steps FIRST:LAST to parts.csv, for replay")
+      ->check(steps());
+}
+
+void add_info_options(CLI::App& command, Arguments& arguments) {
+  command.add_option("scene", arguments.scene, "scene file");
+  command.add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
+}
+
+int replay(const Arguments& arguments) {
+  omp_set_num_threads(choose_threads(arguments.threads));
+  return geodrop::run_replay(arguments.replay);
+}
+
+int verify(const Arguments& arguments) {
+  const int threads = choose_threads(arguments.threads);
+  omp_set_num_threads(threads);
+  return geodrop::run_verify(arguments.verification, threads);
+}
+
+struct Command {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+/// All commands, as --help lists them.
+std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
+  std::vector<Command> commands;
+  const auto add = [&](const char* name, const char* about, const auto& add_options, std::function<int()> run) {
+    commands.push_back({app.add_subcommand(name, about), std::move(run)});
+    add_options(*commands.back().app);
+  };
+  using Sub = CLI::App;
+  add(
+      "run", "run a scene; writes a run directory", [&](Sub& c) { add_run_options(c, a); }, [&] { return run(a); });
+  add(
+      "check", "read a scene and report every mistake", [&](Sub& c) { add_scene(c, a); }, [&] { return check(a); });
+  add(
+      "stages", "print the rows of a step of this scene, with the fields that they read and write",
+      [&](Sub& c) { add_scene(c, a); }, [&] { return stages(a); });
+  add(
+      "info", "print version and machine; with a scene, its sizes and time step",
+      [&](Sub& c) { add_info_options(c, a); }, [&] { return info(a); });
+  add(
+      "bench", "measure million particle-steps per second; writes bench.csv", [&](Sub& c) { add_bench_options(c, a); },
+      [&] { return bench(a); });
+  add(
+      "geotube", "the exact shape and tension of a geotube at rest",
+      [&](Sub& c) { geodrop::add_geotube_options(c, a.geotube); }, [&] { return geodrop::run_geotube(a.geotube); });
+  add(
+      "release", "design formulas of a container that leaves a split barge",
+      [&](Sub& c) { geodrop::add_release_options(c, a.release); }, [&] { return geodrop::run_release(a.release); });
+  add(
+      "fall", "the closed-form fall of a container in water", [&](Sub& c) { geodrop::add_fall_options(c, a.fall); },
+      [&] { return geodrop::run_fall(a.fall); });
+  add(
+      "verify", "run the cases that have an exact or published reference",
+      [&](Sub& c) {
+        geodrop::add_verify_options(c, a.verification);
+        add_threads(c, a);
+      },
+      [&] { return verify(a); });
+  add(
+      "replay", "make a run again and say where its states differ from the recorded hashes; exit 1 if they do",
+      [&](Sub& c) {
+        geodrop::add_replay_options(c, a.replay);
+        add_threads(c, a);
+      },
+      [&] { return replay(a); });
+  add(
+      "plot", "draw pictures of a run directory", [&](Sub& c) { geodrop::add_plot_options(c, a.plot); },
+      [&] { return geodrop::run_plot(a.plot); });
+  return commands;
+}
+
+/// Exit code of the exception that is being handled, told on stderr.
+int exit_code_of_exception(const CLI::App& app) {
+  const auto tell = [](const std::string& text, int code) {
+    std::cerr << text << '\n';
+    return code;
+  };
+  try {
+    throw;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_usage;
+  } catch (const geodrop::SceneError& error) {
+    return tell(error.what(), exit_usage);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return tell(std::string("geodrop: ") + error.what(), geodrop::exit_not_written);
+  } catch (const geodrop::WriteError& error) {
+    return tell(std::string("geodrop: ") + error.what(), geodrop::exit_not_written);
+  } catch (const geodrop::RunError& error) {
+    return tell(std::string("geodrop: ") + error.what(), 1);
+  } catch (const std::bad_alloc&) {
+    return tell("geodrop: not enough memory", 1);
+  } catch (const std::exception& error) {
+    return tell(std::string("geodrop: internal error: ") + error.what(), exit_internal);
+  }
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(bugprone-exception-escape): what is thrown before options are read is a mistake of the program
@@ -221,99 +347,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);  // none is reported below, after what was not understood
   Arguments arguments;
   arguments.command = typed_command(argc, argv);
-
-  auto* run_command = app.add_subcommand("run", "run a scene; writes a run directory");
-  add_scene(*run_command, arguments);
-  run_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(thread_count());
-  run_command->add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
-  run_command->add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
-      ->check(positive_time());
-  auto* resume =
-      run_command->add_flag("--resume", arguments.resume, "go on from the newest checkpoint in the run directory");
-  run_command
-      ->add_flag("--overwrite", arguments.overwrite,
-                 "replace an earlier run in the run directory (default: it becomes NAME.1, NAME.2, ...)")
-      ->excludes(resume);
-  run_command->add_flag("--verify", arguments.verify, "exit with 1 if an expectation of the scene is not met");
-  run_command
-      ->add_option("--record-parts", arguments.parts,
-                   "write a hash after each stage of the steps FIRST:LAST to parts.csv, for replay")
-      ->check(steps());
-  auto* check_command = app.add_subcommand("check", "read a scene and report every mistake");
-  add_scene(*check_command, arguments);
-  auto* stages_command = app.add_subcommand("stages", "print the stages of a step of this scene");
-  add_scene(*stages_command, arguments);
-  auto* info_command = app.add_subcommand("info", "print version and machine; with a scene, its sizes and time step");
-  info_command->add_option("scene", arguments.scene, "scene file");
-  info_command->add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
-
-  auto* bench_command = app.add_subcommand("bench", "measure million particle-steps per second; writes bench.csv");
-  add_bench_options(*bench_command, arguments);
-  auto* geotube_command = app.add_subcommand("geotube", "the exact shape and tension of a geotube at rest");
-  geodrop::GeotubeArguments geotube;
-  geodrop::add_geotube_options(*geotube_command, geotube);
-  auto* release_command = app.add_subcommand("release", "design formulas of a container that leaves a split barge");
-  geodrop::ReleaseArguments release;
-  geodrop::add_release_options(*release_command, release);
-  auto* fall_command = app.add_subcommand("fall", "the closed-form fall of a container in water");
-  geodrop::FallArguments fall;
-  geodrop::add_fall_options(*fall_command, fall);
-  auto* verify_command = app.add_subcommand("verify", "run the cases that have an exact or published reference");
-  geodrop::VerifyArguments verify;
-  geodrop::add_verify_options(*verify_command, verify);
-  verify_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(thread_count());
-  auto* replay_command = app.add_subcommand(
-      "replay", "make a run again and say where its states differ from the recorded hashes; exit 1 if they do");
-  geodrop::ReplayArguments replay;
-  geodrop::add_replay_options(*replay_command, replay);
-  replay_command->add_option("--threads", arguments.threads, "number of threads (default: all cores)")
-      ->check(thread_count());
-  auto* plot_command = app.add_subcommand("plot", "draw pictures of a run directory");
-  geodrop::PlotArguments plot;
-  geodrop::add_plot_options(*plot_command, plot);
-
+  const std::vector<Command> commands = add_commands(app, arguments);
   try {
     app.parse(argc, argv);
-    if (app.get_subcommands().empty()) throw CLI::RequiredError::Subcommand(1);
-    if (*run_command) return run(arguments);
-    if (*check_command) return check(arguments);
-    if (*stages_command) return stages(arguments);
-    if (*bench_command) return bench(arguments);
-    if (*geotube_command) return geodrop::run_geotube(geotube);
-    if (*release_command) return geodrop::run_release(release);
-    if (*fall_command) return geodrop::run_fall(fall);
-    if (*plot_command) return geodrop::run_plot(plot);
-    if (*replay_command) {
-      omp_set_num_threads(choose_threads(arguments.threads));
-      return geodrop::run_replay(replay);
-    }
-    if (*verify_command) {
-      const int threads = choose_threads(arguments.threads);
-      omp_set_num_threads(threads);
-      return geodrop::run_verify(verify, threads);
-    }
-    return info(arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
-  } catch (const geodrop::SceneError& error) {
-    std::cerr << error.what() << '\n';
-    return exit_usage;
-  } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "geodrop: " << error.what() << '\n';
-    return geodrop::exit_not_written;
-  } catch (const geodrop::WriteError& error) {
-    std::cerr << "geodrop: " << error.what() << '\n';
-    return geodrop::exit_not_written;
-  } catch (const geodrop::RunError& error) {
-    std::cerr << "geodrop: " << error.what() << '\n';
-    return 1;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "geodrop: not enough memory\n";
-    return 1;
-  } catch (const std::exception& error) {
-    std::cerr << "geodrop: internal error: " << error.what() << '\n';
-    return exit_internal;
+    for (const Command& command : commands)
+      if (*command.app) return command.run();
+    throw CLI::RequiredError::Subcommand(1);
+  } catch (...) {
+    return exit_code_of_exception(app);
   }
 }
