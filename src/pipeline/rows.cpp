@@ -57,7 +57,8 @@ Row<Dim> pumps_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> kinetic_damping_row(const Scene& scene) {
   return {"kinetic_damping", Data::mass | Data::position,
-          Data::relaxation | Data::velocity | Data::affine_rate | Data::membrane_velocity | Data::largest_motion,
+          Data::relaxation | Data::velocity | Data::affine_rate | Data::membrane_velocity | Data::viscous_boundaries |
+              Data::absorbing_layers,
           relaxes(scene),
           [spec = scene.relaxation, gravity = scene.gravity](State<Dim>& s, const Grids<Dim>&, const StepContext&) {
             damp_kinetically(spec, gravity, s);
