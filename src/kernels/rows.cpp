@@ -51,7 +51,7 @@ Row<Dim> particles_to_grid_row(const Scene&) {
 template <int Dim>
 Row<Dim> remap_velocity_row(const Scene& scene) {
   return {"remap_velocity", Data::position | Data::mass | Data::membrane_position | Data::velocity_change,
-          Data::velocity | Data::membrane_velocity | Data::nodal_sums | Data::nodal_velocity,
+          Data::velocity | Data::membrane_velocity | Data::nodal_sums | Data::nodal_force | Data::nodal_velocity,
           scene.solver.transfer == Transfer::musl,
           each_field<Dim>([solver = scene.solver](State<Dim>& s, Grid<Dim>& g, const StepContext& step) {
             remap_velocity(solver, s, g, step.dt);
