@@ -4,6 +4,7 @@
 #include <geodrop/grid.hpp>
 #include <geodrop/state.hpp>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -80,5 +81,14 @@ std::string names_of(DataSet set);
 /// Of all values of one group, in storage order.
 template <int Dim>
 std::uint64_t hash_of(Data item, const State<Dim>& state, const Grids<Dim>& grids);
+
+using DataHashes = std::array<std::uint64_t, static_cast<std::size_t>(Data::count)>;
+
+/// Of all groups, by their number.
+template <int Dim>
+DataHashes hashes_of(const State<Dim>& state, const Grids<Dim>& grids);
+
+/// The groups whose hash is another one.
+DataSet difference(const DataHashes& before, const DataHashes& after);
 
 }  // namespace geodrop

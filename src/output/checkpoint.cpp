@@ -18,6 +18,7 @@
 #include "atomic_file.hpp"
 #include "build_identity.hpp"
 #include "lasting_text.hpp"
+#include "text.hpp"
 
 namespace geodrop {
 namespace {
@@ -213,9 +214,7 @@ template <int Dim>
 std::string state_hash(const State<Dim>& state) {
   Hash hash;
   walk(hash, state);
-  std::array<char, 17> text;
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash.digest()));
-  return text.data();
+  return format_hash(hash.digest());
 }
 
 template <int Dim>

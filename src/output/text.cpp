@@ -14,6 +14,12 @@ std::string format_number(double value, int digits) {
   return text.data();
 }
 
+std::string format_hash(std::uint64_t hash) {
+  std::array<char, 17> text;
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
 std::string format_table(const std::vector<std::vector<std::string>>& lines, const std::string& alignment) {
   std::vector<std::size_t> width(alignment.size(), 0);
   for (const auto& line : lines)

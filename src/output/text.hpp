@@ -1,6 +1,7 @@
 // Numbers and tables as text, the same everywhere in a run directory.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@ namespace geodrop {
 
 /// Nine significant digits; "nan", "inf", "-inf" where it is none.
 std::string format_number(double value, int digits = 9);
+
+/// 16 hex digits.
+std::string format_hash(std::uint64_t hash);
 
 /// Lines of cells in aligned columns, two spaces apart; `alignment` has a letter per column, l or r.
 std::string format_table(const std::vector<std::vector<std::string>>& lines, const std::string& alignment);

@@ -4,12 +4,12 @@
 
 #include <xxhash.h>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <utility>
+
+#include "../output/text.hpp"
 
 namespace geodrop {
 namespace {
@@ -17,13 +17,9 @@ namespace {
 template <int Dim>
 std::string part_hash(const State<Dim>& state, const Grids<Dim>& grids) {
   std::uint64_t hash = 0;
-  for (int i = 0; i < static_cast<int>(Data::count); ++i) {
-    const std::uint64_t of_group = hash_of(static_cast<Data>(i), state, grids);
+  for (const std::uint64_t of_group : hashes_of(state, grids))
     hash = XXH3_64bits_withSeed(&of_group, sizeof of_group, hash);
-  }
-  std::array<char, 17> text;
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
+  return format_hash(hash);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Debug builds see that a row leaves alone what it does not say that it writes; release builds pay nothing.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -19,26 +18,6 @@ inline constexpr bool checks_writes = true;
 /// Steps from one check to the next, after the first two steps: hashes cost as much as some steps.
 inline constexpr std::uint64_t write_check_interval = 64;
 
-/// Groups of fields before a row; compared with those after it.
-template <int Dim>
-class DataHashes {
- public:
-  DataHashes(const State<Dim>& state, const Grids<Dim>& grids) {
-    for (int i = 0; i < groups; ++i) hash_[i] = hash_of(static_cast<Data>(i), state, grids);
-  }
-  /// What has changed since.
-  DataSet changed(const State<Dim>& state, const Grids<Dim>& grids) const {
-    DataSet set;
-    for (int i = 0; i < groups; ++i)
-      if (hash_[i] != hash_of(static_cast<Data>(i), state, grids)) set = set | static_cast<Data>(i);
-    return set;
-  }
-
- private:
-  static constexpr int groups = static_cast<int>(Data::count);
-  std::array<std::uint64_t, groups> hash_;
-};
-
 /// Throws std::logic_error that names the row and what it changed unsaid.
 template <int Dim>
 void check_writes(const Row<Dim>& row, DataSet changed) {
@@ -53,16 +32,16 @@ class WriteCheck {
  public:
   WriteCheck(const Row<Dim>& row, const State<Dim>& state, const Grids<Dim>& grids) : row_(&row) {
     if constexpr (checks_writes)
-      if (state.step < 2 || state.step % write_check_interval == 0) before_.emplace(state, grids);
+      if (state.step < 2 || state.step % write_check_interval == 0) before_ = hashes_of(state, grids);
   }
   void end(const State<Dim>& state, const Grids<Dim>& grids) const {
     if constexpr (checks_writes)
-      if (before_) check_writes(*row_, before_->changed(state, grids));
+      if (before_) check_writes(*row_, difference(*before_, hashes_of(state, grids)));
   }
 
  private:
   const Row<Dim>* row_;
-  std::optional<DataHashes<Dim>> before_;
+  std::optional<DataHashes> before_;
 };
 
 }  // namespace geodrop

@@ -243,6 +243,22 @@ std::uint64_t hash_of(Data item, const State<Dim>& state, const Grids<Dim>& grid
   return hash.hash();
 }
 
+template <int Dim>
+DataHashes hashes_of(const State<Dim>& state, const Grids<Dim>& grids) {
+  DataHashes hashes;
+  for (std::size_t i = 0; i < hashes.size(); ++i) hashes[i] = hash_of(static_cast<Data>(i), state, grids);
+  return hashes;
+}
+
+DataSet difference(const DataHashes& before, const DataHashes& after) {
+  DataSet set;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (before[i] != after[i]) set = set | static_cast<Data>(i);
+  return set;
+}
+
+template DataHashes hashes_of(const State<2>&, const Grids<2>&);
+template DataHashes hashes_of(const State<3>&, const Grids<3>&);
 template std::uint64_t hash_of(Data, const State<2>&, const Grids<2>&);
 template std::uint64_t hash_of(Data, const State<3>&, const Grids<3>&);
 

@@ -3,54 +3,19 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <sstream>
 
 #include "kernels/levels.hpp"
+#include "support/golden.hpp"
 #include "support/program.hpp"
 
 using namespace geodrop::test;
 
 namespace {
 
-const std::string path = geodrop::source_path("tests/golden/hashes.csv");
-
-/// A line of the file; `sums` is what the hash depends on besides the source, see docs/reproducibility.md.
-struct Golden {
-  std::array<std::string, 5> cells;
-
-  std::string name() const { return cells[0]; }
-  std::string scene() const { return cells[1]; }
-  std::string overrides() const { return cells[2]; }
-  std::string sums() const { return cells[3]; }
-  std::string hash() const { return cells[4]; }
-};
-
-std::vector<Golden> read_golden() {
-  std::istringstream lines(geodrop::read_file(path));
-  std::vector<Golden> all;
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::istringstream text(line);
-    Golden golden;
-    for (std::string& cell : golden.cells) std::getline(text, cell, ',');
-    all.push_back(golden);
-  }
-  return all;
-}
-
-std::vector<std::string> settings_of(const Golden& golden) {
-  std::istringstream text(golden.overrides());
-  std::vector<std::string> settings;
-  for (std::string setting; std::getline(text, setting, ';');) settings.push_back(setting);
-  return settings;
-}
-
 /// The file with the hash of each scene for these sums; those for others stay.
 void write_golden(const std::vector<Golden>& all) {
-  std::ofstream file(path);
+  std::ofstream file(golden_path());
   file << "case,scene,overrides,sums,hash\n";
   for (const Golden& golden : all)
     file << golden.name() << ',' << golden.scene() << ',' << golden.overrides() << ',' << golden.sums() << ','

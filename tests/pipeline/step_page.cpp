@@ -1,11 +1,10 @@
 // docs/step.md has a heading for each row of the step, and under it what the row says that it reads and writes.
 #include <doctest/doctest.h>
 
-#include <fstream>
 #include <map>
 #include <sstream>
 
-#include "support/scene_files.hpp"
+#include "support/golden.hpp"
 
 #include <geodrop/pipeline.hpp>
 
@@ -29,17 +28,8 @@ std::map<std::string, std::string> rows_of_scenes() {
       list(build_pipeline<3>(scene));
   };
   add(read_scene(source_path("cases/dump_barge_underwater.toml")));
-  std::ifstream file(source_path("tests/golden/hashes.csv"));
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream cells(line);
-    std::string name, scene, overrides, setting;
-    std::getline(std::getline(std::getline(cells, name, ','), scene, ','), overrides, ',');
-    std::vector<std::string> settings;
-    for (std::istringstream text(overrides); std::getline(text, setting, ';');) settings.push_back(setting);
-    add(read_scene(source_path(scene), settings));
-  }
+  for (const test::Golden& golden : test::golden_scenes())
+    add(read_scene(source_path(golden.scene()), test::settings_of(golden)));
   return rows;
 }
 
@@ -58,13 +48,12 @@ std::string fields_below(const std::string& page, const std::string& row) {
 }  // namespace
 
 TEST_CASE("Each row has its heading in docs/step.md, with the fields that it reads and writes") {
-  std::stringstream page;
-  page << std::ifstream(source_path("docs/step.md")).rdbuf();
+  const std::string page = read_file(source_path("docs/step.md"));
   const std::map<std::string, std::string> rows = rows_of_scenes();
   CHECK(rows.size() == 40);
   for (const auto& [name, fields] : rows) {
     CAPTURE(name);
     CAPTURE(fields);
-    CHECK(fields_below(page.str(), name).find(fields) != std::string::npos);
+    CHECK(fields_below(page, name).find(fields) != std::string::npos);
   }
 }

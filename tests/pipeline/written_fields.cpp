@@ -2,25 +2,14 @@
 // feature in one of them. Debug builds look during every run (pipeline/write_check).
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "pipeline/write_check.hpp"
-#include "support/scene_files.hpp"
+#include "support/golden.hpp"
 
 #include <geodrop/pipeline.hpp>
 
 using namespace geodrop;
 
 namespace {
-
-/// Cells of a line; those between `;` of one.
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::istringstream stream(text);
-  std::vector<std::string> parts;
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
 
 /// Runs some steps and checks each row of each.
 template <int Dim>
@@ -32,10 +21,10 @@ void check_rows(const Scene& scene) {
     StepContext step{0, state.t, state.step};
     const bool looks = k < 2 || k == 50;  // the energy watch acts in steps 0 and 50
     for (Row<Dim>& row : pipeline) {
-      std::optional<DataHashes<Dim>> before;
-      if (looks) before.emplace(state, grids);
+      std::optional<DataHashes> before;
+      if (looks) before = hashes_of(state, grids);
       row.run(state, grids, step);
-      if (looks) CHECK_NOTHROW(check_writes(row, before->changed(state, grids)));
+      if (looks) CHECK_NOTHROW(check_writes(row, difference(*before, hashes_of(state, grids))));
     }
     state.t += step.dt;
     ++state.step;
@@ -45,18 +34,13 @@ void check_rows(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("Rows change only what they say that they write") {
-  std::ifstream file(source_path("tests/golden/hashes.csv"));
-  std::string line, last;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    const std::vector<std::string> cells = split(line, ',');
-    if (cells[0] == last) continue;
-    last = cells[0];
-    CAPTURE(last);
-    const Scene scene = read_scene(source_path(cells[1]), split(cells[2], ';'));
+  const std::vector<test::Golden> scenes = test::golden_scenes();
+  CHECK_FALSE(scenes.empty());
+  for (const test::Golden& golden : scenes) {
+    CAPTURE(golden.name());
+    const Scene scene = read_scene(source_path(golden.scene()), test::settings_of(golden));
     scene.dimension == 2 ? check_rows<2>(scene) : check_rows<3>(scene);
   }
-  CHECK_FALSE(last.empty());
 }
 
 TEST_CASE("A row that changes what it does not name is named, with the fields") {
@@ -68,10 +52,10 @@ TEST_CASE("A row that changes what it does not name is named, with the fields") 
                      s.bodies[0].J[2] *= 2;
                      g[0].cell_pressure[7] = 5;
                    }};
-  const DataHashes<2> before(state, grids);
+  const DataHashes before = hashes_of(state, grids);
   StepContext step;
   row.run(state, grids, step);
-  CHECK_THROWS_WITH_AS(check_writes(row, before.changed(state, grids)),
+  CHECK_THROWS_WITH_AS(check_writes(row, difference(before, hashes_of(state, grids))),
                        "row meddler changes what it does not say that it writes: volume ratio, cell pressure",
                        std::logic_error);
 }
