@@ -161,7 +161,9 @@ enum : unsigned {
   for_consistent = 128,  ///< MassMatrix::consistent
   for_cells = 256,       ///< PressureSupport::cell, particles that shift
   for_nodal = 512,       ///< PressureSupport::nodal
-  for_sharp = 1024       ///< fields that meet at a sharp interface
+  for_sharp = 1024,      ///< fields that meet at a sharp interface
+  for_rigid = 2048,      ///< particles that shift beside rigid bodies
+  for_moduli = 4096      ///< cells of bodies that differ in rho c^2
 };
 }  // namespace grid_role
 
@@ -176,6 +178,7 @@ struct GridFields {
   Array<Vec4> mass_correction;  ///< what the consistent mass matrix adds to both [m/s]
 
   Array<double> cell_volume;    ///< sum of particle volumes of a cell [m3]
+  Array<double> cell_modulus;   ///< sum of volume times rho c^2 of a cell, where bodies differ in rho c^2 [N m]
   Array<double> cell_pressure;  ///< P_c [Pa]; 0 unless filled
   Array<double> volume_rate;    ///< D_c [1/s]
   Array<std::uint8_t> cell_flags;
@@ -185,6 +188,9 @@ struct GridFields {
   Array<double> node_rate;      ///< sum N V_p tr L_p, then their mean D_i [1/s]
 
   Array<double> taken;  ///< share of each cell that bodies of other fields have [-]
+
+  Array<double> rigid_cells;    ///< share of each cell that rigid bodies have [-]
+  Array<double> rigid_splines;  ///< integral of the spline of each node over rigid bodies [m2]
 };
 
 inline constexpr auto grid_fields = [] {
@@ -197,13 +203,16 @@ inline constexpr auto grid_fields = [] {
                     field<for_change | zero_asleep | velocity_like>("velocity_change", "m/s", &G::velocity_change),
                     field<for_consistent>("mass_correction", "m/s", &G::mass_correction),
                     field<for_cells | summed>("cell_volume", "m3", &G::cell_volume),
+                    field<for_moduli | summed>("cell_modulus", "N m", &G::cell_modulus),
                     field<for_cells | summed>("cell_pressure", "Pa", &G::cell_pressure),
                     field<for_cells | zero_asleep>("volume_rate", "1/s", &G::volume_rate),
                     field<for_cells | zero_asleep>("cell_flags", "-", &G::cell_flags),
                     field<for_nodal | summed>("node_volume", "m3", &G::node_volume),
                     field<for_nodal | summed>("node_pressure", "Pa", &G::node_pressure),
                     field<for_nodal | summed>("node_rate", "1/s", &G::node_rate),
-                    field<for_sharp>("taken", "-", &G::taken)};
+                    field<for_sharp>("taken", "-", &G::taken),
+                    field<for_rigid>("rigid_cells", "-", &G::rigid_cells),
+                    field<for_rigid>("rigid_splines", "m2", &G::rigid_splines)};
 }();
 
 constexpr const auto& fields_of(const GridFields&) { return grid_fields; }
@@ -221,6 +230,7 @@ struct Grid : GridFields {
   /// Nodes below it (on a graded grid: times the widths of their splines) share their impulse with their neighbours,
   /// see grid/momentum [kg].
   double light_mass = 0;
+  double largest_modulus = 0;  ///< rho c^2 of the bodies whose cells carry their pressure; 0: none do [Pa]
 
   /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, with h as
   /// the unit of length.

@@ -162,7 +162,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
     case Data::mass_correction:
       return add_array(grid.mass_correction, hash);
     case Data::cell_volume:
-      return add_array(grid.cell_volume, hash);
+      return hash.add(grid.cell_volume, grid.cell_modulus);
     case Data::cell_pressure:
       return add_array(grid.cell_pressure, hash);
     case Data::cell_flags:
@@ -171,6 +171,8 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
       return add_array(grid.volume_rate, hash);
     case Data::nodal_pressure:
       return hash.add(grid.node_volume, grid.node_pressure, grid.node_rate);
+    case Data::rigid_share:
+      return hash.add(grid.rigid_cells, grid.rigid_splines);
     default:
       return add_cells_of_bodies(item, grid, hash);
   }
@@ -215,7 +217,8 @@ constexpr std::string_view names[] = {"time",
                                       "volume rate of cells",
                                       "nodal pressure",
                                       "enclosed cells",
-                                      "cut cells"};
+                                      "cut cells",
+                                      "share of rigid bodies"};
 static_assert(std::size(names) == static_cast<std::size_t>(Data::count));
 
 }  // namespace
