@@ -101,7 +101,8 @@ struct RigidContact {
   double friction = 0;          ///< mu [-]
   double stiffness = 0;         ///< penalty: pressure per penetration [Pa/m]
   double damping = 0;           ///< of the penalty: pressure per normal velocity [Pa s/m]
-  Array<double> reach;          ///< bare: how far its surface is from a particle, by id [m]
+  Array<double> reach;          ///< bare: how far its surface is from a particle at the start, by id [m]
+  Array<double> half_width;     ///< bare: the same now, as the flow flattens or stretches what touches [m]
   Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending
   Array<double> slip;           ///< of each: stretch of its tangential spring, along the normal turned clockwise [m]
   Array<std::int8_t> side;      ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
@@ -178,6 +179,13 @@ struct EnergyBudget {
   double driven = 0;         ///< by the motion of rigid bodies, when it began
 };
 
+/// How often the pressures on sharp membranes were not found, see interface/interface_constraint. Counted anew after a
+/// checkpoint; no result depends on it.
+struct ConstraintWatch {
+  std::uint64_t unsolved = 0;  ///< steps so far in which the solver stopped short of its tolerance
+  std::uint64_t in_a_row = 0;  ///< of them, the last ones without a break
+};
+
 /// Massless points that move with the grid velocity.
 template <int Dim>
 struct Tracer {
@@ -205,6 +213,7 @@ struct State {
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
   EnergyBudget energy_budget;
+  ConstraintWatch constraint_watch;
 
   /// Number of particles of all bodies.
   std::size_t particles() const {

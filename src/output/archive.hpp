@@ -78,10 +78,10 @@ auto members(Part& part) {
     return std::tie(name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement,
                     angle_rate, velocity);
   } else if constexpr (is_rigid_contact<Plain>) {
-    auto& [touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force, friction_force,
-           normal_sum, friction_sum, friction_work, damping_work, driving_work] = part;
-    return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force,
-                    friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work);
+    auto& [touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side, normal_force,
+           friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work] = part;
+    return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side,
+                    normal_force, friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work);
   } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
     auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);
@@ -106,7 +106,8 @@ auto members(Part& part) {
     return std::tie(name, x, v, initial_x, field, body);
   } else {
     auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget] = part;
+           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget, of_this_process] =
+        part;
     return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
                     membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget);
   }

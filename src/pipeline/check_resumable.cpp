@@ -196,6 +196,7 @@ void check_rigid_contact(const State<Dim>& state, const RigidContact<Dim>& built
       "another pair or other settings");
   part.require(contact.slip.size() == contact.points.size() && contact.side.size() == contact.points.size(),
                "another number of points than of what is known of them");
+  part.require(contact.half_width.size() == contact.reach.size(), "another number of half widths than of particles");
   std::size_t points = contact.reach.size();
   for (const Membrane<Dim>& membrane : state.membranes)
     if (!contact.bare && membrane.name == contact.touching) points = membrane.nodes();
