@@ -1,11 +1,14 @@
 #include "interface_constraint.hpp"
 
+#include <geodrop/error.hpp>
 #include <geodrop/find_named.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 #include "../grid/momentum.hpp"
 #include "interface_rows.hpp"
@@ -147,45 +150,67 @@ void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids
   }
 }
 
+/// Tractions of rows, and whether they are as exact as asked.
+struct Solution {
+  Eigen::VectorXd traction;
+  bool converged;
+};
+
 /// Tractions that stop the gaps from opening and closing, and the slip where it sticks.
-Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
+Solution solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
   constexpr double tolerance = 1e-8;  // of the gaps' rate
   constexpr int most_iterations = 1000;
   Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper> solver(S);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(most_iterations);
-  return solver.solveWithGuess(gap_rate, guess);
+  Eigen::VectorXd traction = solver.solveWithGuess(gap_rate, guess);
+  return {std::move(traction), solver.info() == Eigen::Success};
 }
 
 /// The same, where some rows may only push: those that would pull are open, and take no part, unless their gap would
 /// close then (primal-dual active sets, Hintermueller et al. 2002).
-Eigen::VectorXd solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const std::vector<bool>& only_pushes,
-                      const Eigen::VectorXd& guess) {
+Solution solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const std::vector<bool>& only_pushes,
+               const Eigen::VectorXd& guess) {
   constexpr int most_rounds = 10;
   const SparseRows S = E * E.transpose();
   const Eigen::VectorXd gap_rate = E * velocity_rate;
-  Eigen::VectorXd traction = solve(S, gap_rate, guess);
-  if (std::find(only_pushes.begin(), only_pushes.end(), true) == only_pushes.end()) return traction;
+  Solution found = solve(S, gap_rate, guess);
+  if (std::find(only_pushes.begin(), only_pushes.end(), true) == only_pushes.end()) return found;
   Eigen::VectorXd joined = Eigen::VectorXd::Ones(gap_rate.size());
   for (int round = 0; round < most_rounds; ++round) {
-    const Eigen::VectorXd closing = gap_rate - S * traction;
+    const Eigen::VectorXd closing = gap_rate - S * found.traction;
     bool changed = false;
     for (Eigen::Index r = 0; r < gap_rate.size(); ++r) {
-      const double pushes = only_pushes[r] && traction[r] + closing[r] / S.coeff(r, r) < 0 ? 0 : 1;
+      const double pushes = only_pushes[r] && found.traction[r] + closing[r] / S.coeff(r, r) < 0 ? 0 : 1;
       changed = changed || pushes != joined[r];
       joined[r] = pushes;
     }
-    if (!changed) break;
+    if (!changed) return found;
     const SparseRows F = joined.asDiagonal() * E;
     SparseRows of_joined = F * F.transpose();
     of_joined.diagonal().array() += 1 - joined.array();
-    traction = solve(of_joined, joined.cwiseProduct(gap_rate), joined.cwiseProduct(guess));
+    found = solve(of_joined, joined.cwiseProduct(gap_rate), joined.cwiseProduct(guess));
   }
-  return traction;
+  found.converged = false;  // the last sets are not those of their solution
+  return found;
 }
 
-/// One normal velocity, and one velocity where the fluid sticks.
-void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
+/// Counts steps without a solution; throws when they are too many in a row.
+void note(bool converged, double t, ConstraintWatch& watch) {
+  constexpr std::uint64_t most_in_a_row = 100;
+  watch.in_a_row = converged ? 0 : watch.in_a_row + 1;
+  watch.unsolved += converged ? 0 : 1;
+  if (watch.in_a_row < most_in_a_row) return;
+  std::ostringstream text;
+  text << "the pressures on sharp membranes were not found in " << watch.in_a_row
+       << " steps in a row (conjugate gradients to 1e-8, ten active sets), t = " << t << " s; " << watch.unsolved
+       << " steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are common "
+          "causes";
+  throw RunError(text.str());
+}
+
+/// One normal velocity, and one velocity where the fluid sticks; false if they were not found.
+bool join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   ContactRows rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts[c].joined = rows.add(contacts, c, Direction::normal); contacts[c].joined && contacts[c].sticks())
@@ -196,14 +221,15 @@ void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
     guess[r] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, direction);
   }
   for (const Contact& contact : contacts) forget_tractions(*contact.membrane);
-  if (rows.list().empty()) return;
+  if (rows.list().empty()) return true;
   std::vector<bool> only_pushes;
   for (const ContactRows::Row& row : rows.list())
     only_pushes.push_back(row.direction == Direction::normal && contacts[row.contact].on_bed);
   const SparseRows E = rows.rows().matrix();
-  const Eigen::VectorXd traction = solve(E, rows.rows().scaled_velocities() / dt, only_pushes, guess);
+  const auto [traction, converged] = solve(E, rows.rows().scaled_velocities() / dt, only_pushes, guess);
   apply_pressures(rows.rows(), E, traction, dt, grids);
   store(rows, traction, grids, contacts);
+  return converged;
 }
 
 /// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
@@ -232,7 +258,7 @@ void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
 
 void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
   std::vector<Contact> contacts = find_contacts(state, grids);
-  join(dt, contacts, grids);
+  note(join(dt, contacts, grids), state.t, state.constraint_watch);
   rub(dt, contacts, grids);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);
 }
