@@ -20,7 +20,7 @@ namespace geodrop {
 struct ProbeSpec;
 
 struct Scene {
-  // In scene/scene.cpp, for the sake of probes, which few files know (src/probes).
+  // Beside the list of probes, which few files know.
   Scene();
   Scene(const Scene&);
   Scene(Scene&&) noexcept;

@@ -4,7 +4,7 @@
 
 #include "plot/chart.hpp"
 #include "plot/csv_table.hpp"
-#include "scene/check_value.hpp"
+#include "scene/plain_values.hpp"
 
 #include <geodrop/error.hpp>
 #include <geodrop/input_file.hpp>

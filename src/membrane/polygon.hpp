@@ -1,7 +1,6 @@
 // A closed line of nodes, as a polygon.
 #pragma once
 
-#include <geodrop/state.hpp>
 #include <geodrop/types.hpp>
 
 namespace geodrop {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <geodrop/error.hpp>
 #include <geodrop/results.hpp>
-#include <geodrop/scene_reader.hpp>
 #include <limits>
 
 #include "../scene/units.hpp"

@@ -16,8 +16,9 @@
 #include <geodrop/state.hpp>
 
 #include "../output/history_row.hpp"
-#include "../scene/check_scene.hpp"
+#include "../scene/references.hpp"
 #include "../scene/rows.hpp"
+#include "../scene/to_text.hpp"
 
 namespace geodrop {
 

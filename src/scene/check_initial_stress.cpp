@@ -132,14 +132,6 @@ void check_yield(const BodyView& view) {
 
 }  // namespace
 
-bool check_fluid(const Scene& scene, const std::string& key, const std::string& name, Report& report) {
-  if (!check_reference(key, name, names_of(scene.materials), "materials", report)) return false;
-  if (!report.healthy("materials." + name)) return false;
-  if (is_fluid(*find_material(scene, name))) return true;
-  report.add(key, '"' + name + "\", which is no fluid", "the name of a newtonian material");
-  return false;
-}
-
 void check_initial_stress(const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodyView view{scene, scene.bodies[i], report.element("bodies", i), report};

@@ -1,7 +1,7 @@
 // Checks of probes, results and expectations: what they refer to exists, names end in their unit.
 #include "check_scene.hpp"
-#include "check_value.hpp"
-#include "key_table.hpp"
+#include "key.hpp"
+#include "plain_values.hpp"
 #include "units.hpp"
 
 #include <geodrop/scene_reader.hpp>

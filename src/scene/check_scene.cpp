@@ -1,7 +1,5 @@
 #include "check_scene.hpp"
 
-#include "nearest_name.hpp"
-
 namespace geodrop {
 
 void check_scene(const Scene& scene, Report& report) {
@@ -22,14 +20,6 @@ void check_scene(const Scene& scene, Report& report) {
   check_stages(scene, report);
   check_measurements(scene, report);
   check_output(scene, report);
-}
-
-bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,
-                     const char* kind, Report& report) {
-  if (name.empty() || !report.healthy(key)) return false;
-  if (std::find(known.begin(), known.end(), name) != known.end()) return true;
-  report.add(key, '"' + name + '"', name_advice(name, known, kind));
-  return false;
 }
 
 }  // namespace geodrop

@@ -1,12 +1,12 @@
 // Cross-checks: what a single key cannot tell. Each looks only at keys that are right in themselves.
 #pragma once
 
+#include "references.hpp"
 #include "report.hpp"
 #include "to_text.hpp"
 
 #include <geodrop/scene.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,24 +38,6 @@ void check_output(const Scene& scene, Report& report);
 
 /// Owners of columns about the whole scene; no body, membrane or probe has such a name.
 inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};
-
-/// The different names of a list of bodies, materials, membranes or results, without empty ones.
-template <class List>
-std::vector<std::string> names_of(const List& list) {
-  std::vector<std::string> names;
-  for (const auto& element : list) {
-    const bool is_new = std::find(names.begin(), names.end(), element.name) == names.end();
-    if (!element.name.empty() && is_new) names.push_back(element.name);
-  }
-  return names;
-}
-
-/// Reports a name that is not among the known ones; says whether it is.
-bool check_reference(const std::string& key, const std::string& name, const std::vector<std::string>& known,
-                     const char* kind, Report& report);
-
-/// The same for a name that must be a newtonian material.
-bool check_fluid(const Scene& scene, const std::string& key, const std::string& name, Report& report);
 
 /// Reports each point that stands on the one before it (of a closed outline also the last on the first): the leg
 /// between them has no direction.

@@ -1,5 +1,7 @@
 #include "check_value.hpp"
+#include "key_table.hpp"
 #include "nearest_name.hpp"
+#include "plain_values.hpp"
 #include "to_text.hpp"
 
 #include <algorithm>
@@ -153,18 +155,6 @@ std::string kind_text(const Key& key, int dimension) {
 }
 
 }  // namespace
-
-double to_number(const toml::node& node) {
-  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
-  const auto* real = node.as_floating_point();
-  return real ? real->get() : 0.0;
-}
-
-bool is_identifier(std::string_view word) {
-  const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) &&
-         std::all_of(word.begin(), word.end(), allowed);
-}
 
 ValueCheck check_value(const Key& key, const toml::node& node, int dimension) {
   switch (key.kind) {

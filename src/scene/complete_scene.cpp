@@ -1,6 +1,8 @@
 #include "complete_scene.hpp"
 #include "check_value.hpp"
+#include "key_table.hpp"
 #include "nearest_name.hpp"
+#include "plain_values.hpp"
 #include "to_text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The parts of an ellipse's geometry that need numerics: arc length and distance.
 #pragma once
 
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/shapes.hpp>
 
 #include <vector>
 

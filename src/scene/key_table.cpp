@@ -50,27 +50,11 @@ const Section& find_section(std::string_view path) {
   return **found;
 }
 
-std::string join_path(std::string_view parent, std::string_view child) {
-  std::string path(parent);
-  if (!path.empty()) path += '.';
-  return path.append(child);
-}
-
 std::string word_of(std::string_view section, std::string_view name, int enumerator) {
   for (const Key& key : find_section(section).keys)
     for (std::size_t i = 0; key.name == name && i < key.numbers.size(); ++i)
       if (key.numbers[i] == enumerator) return key.words[i];
   throw std::logic_error("no such choice");
-}
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find(separator, begin);
-    parts.emplace_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return parts;
-    begin = end + 1;
-  }
 }
 
 }  // namespace geodrop

@@ -9,8 +9,8 @@
 // alternatives, and a member of an alternative is filled if that is the one at hand.
 #pragma once
 
-#include "check_value.hpp"
-#include "key_table.hpp"
+#include "key.hpp"
+#include "plain_values.hpp"
 
 #include <geodrop/scene/shapes.hpp>
 

@@ -1,6 +1,7 @@
 #include "write_scene.hpp"
 #include "check_value.hpp"
 #include "key_table.hpp"
+#include "plain_values.hpp"
 #include "to_text.hpp"
 
 #include <set>
