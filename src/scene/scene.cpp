@@ -1,5 +1,5 @@
 // The scene as a value, and what the names in it refer to.
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/scene.hpp>
 
 #include <algorithm>
 
