@@ -5,6 +5,10 @@ file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.
 add_executable(geodrop_tests ${test_sources})
 target_include_directories(geodrop_tests PRIVATE tests)
 target_link_libraries(geodrop_tests PRIVATE geodrop_core doctest::doctest)
+target_compile_options(geodrop_tests PRIVATE ${GEODROP_TEST_OPTIONS})
+# What nearly every test reads is parsed once: that is half of the work.
+target_precompile_headers(geodrop_tests PRIVATE <doctest/doctest.h> <geodrop/step/pipeline.hpp> <geodrop/reader/scene_reader.hpp>)
+set_source_files_properties("${PROJECT_SOURCE_DIR}/tests/main.cpp" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 set_source_files_properties("${PROJECT_SOURCE_DIR}/tests/support/paths.cpp" PROPERTIES COMPILE_DEFINITIONS
                             "GEODROP_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\";GEODROP_PROGRAM=\"$<TARGET_FILE:geodrop>\"")
 add_dependencies(geodrop_tests geodrop)

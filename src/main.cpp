@@ -1,11 +1,12 @@
 // The command line: parses, calls, and turns every way of failing into a message and an exit code.
-#include <geodrop/bench.hpp>
-#include <geodrop/error.hpp>
-#include <geodrop/results.hpp>
-#include <geodrop/run.hpp>
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/bench/bench.hpp>
+#include <geodrop/measure/results.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/step/run.hpp>
 #include <geodrop/version.hpp>
 
+#include "base/shell_command.hpp"
 #include "bench/machine.hpp"
 #include "command_line/fall.hpp"
 #include "command_line/geotube.hpp"
@@ -14,9 +15,8 @@
 #include "command_line/release.hpp"
 #include "command_line/replay.hpp"
 #include "command_line/verify.hpp"
-#include "kernels/levels.hpp"
-#include "output/build_identity.hpp"
-#include "output/shell_command.hpp"
+#include "files/build_identity.hpp"
+#include "transfer/levels.hpp"
 
 #include <omp.h>
 

@@ -5,7 +5,7 @@
 #include "pairs.hpp"
 #include "steps.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <cstdio>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // Runs the table of benchmarks: prints, writes bench.csv.
-#include <geodrop/bench.hpp>
+#include <geodrop/bench/bench.hpp>
 
 #include "machine.hpp"
 #include "measure_speed.hpp"

@@ -1,7 +1,7 @@
 #include "benchmarks.hpp"
 
-#include "../scene/key_table.hpp"
-#include "../setup/initial_stress.hpp"
+#include "reader/key_table.hpp"
+#include "solutions/initial_stress.hpp"
 
 #include <algorithm>
 #include <cmath>

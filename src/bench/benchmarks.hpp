@@ -1,8 +1,8 @@
 // The table of benchmarks, and the scene of each: a block of one material that shears while it moves through a box.
 #pragma once
 
-#include <geodrop/pipeline.hpp>
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <string>
 #include <vector>

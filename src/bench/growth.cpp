@@ -1,5 +1,5 @@
 // How the cost of a particle-step grows with the number of particles, and with the domain around the same particles.
-#include <geodrop/bench.hpp>
+#include <geodrop/bench/bench.hpp>
 
 #include "machine.hpp"
 #include "steps.hpp"

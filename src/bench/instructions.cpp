@@ -5,7 +5,7 @@
 #include "machine.hpp"
 #include "steps.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 #include "measure_speed.hpp"
 
-#include "../grid/sort_particles.hpp"
 #include "counted_steps.hpp"
+#include "grid/sort_particles.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>

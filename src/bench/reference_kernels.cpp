@@ -1,7 +1,7 @@
 #include "reference_kernels.hpp"
 
-#include "../kernels/chunk.hpp"
 #include "stopwatch.hpp"
+#include "transfer/chunk.hpp"
 
 #include <omp.h>
 

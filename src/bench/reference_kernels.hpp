@@ -1,7 +1,7 @@
 // Two kernels that do nothing useful as fast as the machine can: the roofs that all benchmarks are compared with.
 #pragma once
 
-#include <geodrop/types.hpp>
+#include <geodrop/base/types.hpp>
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 #include "steps.hpp"
 
-#include "../kernels/levels.hpp"
 #include "counted_steps.hpp"
 #include "machine.hpp"
+#include "transfer/levels.hpp"
 
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/reader/scene_reader.hpp>
 
 #include <cstdio>
 #include <sstream>

@@ -3,7 +3,7 @@
 
 #include "measure_speed.hpp"
 
-#include <geodrop/bench.hpp>
+#include <geodrop/bench/bench.hpp>
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // Rows of the step for edges that let waves out, in the plane.
 #pragma once
 
-#include <geodrop/row.hpp>
+#include <geodrop/grid/row.hpp>
 
 namespace geodrop {
 

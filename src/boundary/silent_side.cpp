@@ -1,7 +1,7 @@
 #include "silent_side.hpp"
 
-#include <geodrop/find_named.hpp>
-#include <geodrop/scene.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/scene/scene.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -20,9 +20,9 @@
 // water beyond flowed in at one height and out at another, for ever and ever faster.
 #pragma once
 
-#include <geodrop/grid.hpp>
+#include <geodrop/grid/grid.hpp>
 #include <geodrop/scene/loads.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

@@ -1,14 +1,14 @@
 #include "viscous_boundary.hpp"
 
-#include <geodrop/find_named.hpp>
-#include <geodrop/graded_axis.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "../grid/point_support.hpp"
-#include "../setup/initial_stress.hpp"
+#include "grid/point_support.hpp"
+#include "solutions/initial_stress.hpp"
 
 namespace geodrop {
 namespace {

@@ -14,9 +14,9 @@
 // 1 / sqrt(1 + (2 omega depth / c_p)^2), which is the spring's own; dashpots alone leave nothing of it.
 #pragma once
 
-#include <geodrop/grid.hpp>
+#include <geodrop/grid/grid.hpp>
 #include <geodrop/scene/loads.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

@@ -1,10 +1,10 @@
 // Options to a case; what cannot be is refused by the name of its option.
 #include "fall.hpp"
 
+#include "base/text.hpp"
 #include "fall_report.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
-#include "output/text.hpp"
 
 #include <iostream>
 

@@ -3,7 +3,7 @@
 
 #include "result_list.hpp"
 
-#include <geodrop/fall.hpp>
+#include <geodrop/calculators/fall.hpp>
 
 #include <filesystem>
 #include <optional>

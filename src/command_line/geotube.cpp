@@ -5,7 +5,7 @@
 #include "only_if.hpp"
 #include "option_errors.hpp"
 
-#include <geodrop/geotube.hpp>
+#include <geodrop/calculators/geotube.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // A list of results for the terminal and the CSV, an outline for the picture.
 #include "geotube_report.hpp"
 
-#include "output/atomic_file.hpp"
-#include "output/text.hpp"
+#include "base/atomic_file.hpp"
+#include "base/text.hpp"
 #include "plot/chart.hpp"
 #include "result_directory.hpp"
 #include "result_list.hpp"

@@ -1,9 +1,9 @@
 // Tubes as text, as CSV and as a picture.
 #pragma once
 
-#include <geodrop/geotube.hpp>
+#include <geodrop/calculators/geotube.hpp>
 
-#include "reference/tension_safety.hpp"
+#include "calculators/tension_safety.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
 // How a calculator refuses options: by their names, what was found, what is allowed.
 #pragma once
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <optional>
 #include <string>

@@ -2,12 +2,12 @@
 // each section probe to one against the angle of what opens.
 #include "plot.hpp"
 
+#include "keys/plain_values.hpp"
 #include "plot/chart.hpp"
 #include "plot/csv_table.hpp"
-#include "scene/check_value.hpp"
 
-#include <geodrop/error.hpp>
-#include <geodrop/input_file.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/base/input_file.hpp>
 
 #include <algorithm>
 #include <cmath>

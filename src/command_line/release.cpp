@@ -1,9 +1,9 @@
 // Options to a case in SI units; what cannot be is refused by the name of its option.
 #include "release.hpp"
 
+#include "base/text.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
-#include "output/text.hpp"
 #include "release_report.hpp"
 
 #include <iostream>

@@ -1,7 +1,7 @@
 #include "release_report.hpp"
 
-#include "output/atomic_file.hpp"
-#include "output/text.hpp"
+#include "base/atomic_file.hpp"
+#include "base/text.hpp"
 #include "result_directory.hpp"
 
 #include <cmath>

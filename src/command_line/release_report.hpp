@@ -3,7 +3,7 @@
 
 #include "result_list.hpp"
 
-#include <geodrop/release.hpp>
+#include <geodrop/calculators/release.hpp>
 
 #include <filesystem>
 #include <optional>

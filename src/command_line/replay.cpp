@@ -1,15 +1,15 @@
 #include "replay.hpp"
 
-#include <geodrop/checkpoint.hpp>
-#include <geodrop/error.hpp>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/files/checkpoint.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/step/pipeline.hpp>
 #include <geodrop/version.hpp>
 
-#include "kernels/levels.hpp"
-#include "output/hash_file.hpp"
-#include "output/text.hpp"
-#include "pipeline/parts.hpp"
+#include "base/text.hpp"
+#include "files/hash_file.hpp"
+#include "step/parts.hpp"
+#include "transfer/levels.hpp"
 
 #include <filesystem>
 #include <iostream>

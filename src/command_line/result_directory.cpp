@@ -1,6 +1,6 @@
 #include "result_directory.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 namespace geodrop {
 

@@ -2,7 +2,7 @@
 
 #include "result_directory.hpp"
 
-#include <geodrop/verify.hpp>
+#include <geodrop/verify/verify.hpp>
 
 namespace geodrop {
 

@@ -1,15 +1,15 @@
 #include "membrane_contact.hpp"
 
-#include <geodrop/find_named.hpp>
-#include <geodrop/graded_axis.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/grid/graded_axis.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "../membrane/bounds.hpp"
-#include "../membrane/fluid_load.hpp"
-#include "../membrane/polygon.hpp"
+#include "geometry/polygon.hpp"
+#include "membrane/bounds.hpp"
+#include "membrane/fluid_load.hpp"
 #include "node_length.hpp"
 #include "penalty.hpp"
 

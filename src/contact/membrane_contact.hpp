@@ -8,8 +8,8 @@
 // from inside.
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

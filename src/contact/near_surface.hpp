@@ -1,8 +1,8 @@
 // Particles near a rigid surface, slab by slab (2D).
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The length of membrane that stands for a node.
 #pragma once
 
-#include <geodrop/state.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

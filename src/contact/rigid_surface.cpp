@@ -1,7 +1,7 @@
 #include "rigid_surface.hpp"
 
 #include <Eigen/Geometry>
-#include <geodrop/find_named.hpp>
+#include <geodrop/base/find_named.hpp>
 
 #include <algorithm>
 #include <cmath>

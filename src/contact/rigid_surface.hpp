@@ -5,8 +5,8 @@
 //   half-plane     g = n . (x - a)
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <optional>
 

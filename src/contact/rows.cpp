@@ -1,6 +1,6 @@
 #include "rows.hpp"
 
-#include "../scene/needs.hpp"
+#include "scene/needs.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Rows of the step for contact with rigid bodies and between membranes, in the plane.
 #pragma once
 
-#include <geodrop/row.hpp>
+#include <geodrop/grid/row.hpp>
 
 namespace geodrop {
 

@@ -1,13 +1,13 @@
 #include "shift_at_rigid.hpp"
 
-#include <geodrop/find_named.hpp>
+#include <geodrop/base/find_named.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "../grid/blocks.hpp"
-#include "../grid/point_support.hpp"
-#include "../grid/seams.hpp"
+#include "grid/blocks.hpp"
+#include "grid/point_support.hpp"
+#include "grid/seams.hpp"
 #include "near_surface.hpp"
 #include "rigid_surface.hpp"
 

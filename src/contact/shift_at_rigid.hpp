@@ -5,8 +5,8 @@
 // (water beside a half-plane: 0.012 m/s of rms velocity after 8 s instead of 0.025, 0.13 instead of 0.28).
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

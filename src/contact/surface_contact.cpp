@@ -1,14 +1,14 @@
 #include "surface_contact.hpp"
 
-#include <geodrop/find_named.hpp>
-#include <geodrop/graded_axis.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "../grid/point_support.hpp"
-#include "../membrane/bounds.hpp"
+#include "grid/point_support.hpp"
+#include "membrane/bounds.hpp"
 #include "near_surface.hpp"
 #include "node_length.hpp"
 #include "penalty.hpp"

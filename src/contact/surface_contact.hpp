@@ -6,10 +6,10 @@
 // impedance of more of the same body. Stable up to stiffness (c dt / h)^2 = 1/2, see stable_dt.
 #pragma once
 
-#include <geodrop/find_named.hpp>
-#include <geodrop/grid.hpp>
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <vector>
 

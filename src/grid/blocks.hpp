@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <geodrop/grid.hpp>
+#include <geodrop/grid/grid.hpp>
 
 namespace geodrop {
 

@@ -5,8 +5,8 @@
 // Smoothing only one of the two blows up a column of water or sinks it (trials); docs/step.md, "cell_pressure".
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

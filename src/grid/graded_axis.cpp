@@ -1,5 +1,5 @@
 #include <cmath>
-#include <geodrop/graded_axis.hpp>
+#include <geodrop/grid/graded_axis.hpp>
 #include <limits>
 
 namespace geodrop {

@@ -1,12 +1,12 @@
 // Layout of the grid, allocation of its fields, and the exact integrals of the basis over its cells.
 #include <algorithm>
-#include <geodrop/grid.hpp>
-#include <geodrop/materials.hpp>
-#include <geodrop/velocity_fields.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/materials/materials.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
 #include <limits>
 #include <set>
 
-#include "../scene/needs.hpp"
+#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,8 +1,8 @@
 // The consistent mass matrix, to the second term of its inverse.
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

@@ -1,8 +1,8 @@
 // The momentum equation on the nodes, and the walls.
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

@@ -2,13 +2,13 @@
 // pushes.
 #pragma once
 
-#include <geodrop/error.hpp>
-#include <geodrop/grid.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/grid/grid.hpp>
 
 #include <sstream>
 #include <string>
 
-#include "../kernels/bases.hpp"
+#include "bases.hpp"
 
 namespace geodrop {
 

@@ -1,7 +1,7 @@
 // Rows of the step that belong to the grid.
 #pragma once
 
-#include <geodrop/row.hpp>
+#include <geodrop/grid/row.hpp>
 
 namespace geodrop {
 

@@ -10,7 +10,7 @@
 // Without periodic walls all of this is a test of one flag per axis and step.
 #pragma once
 
-#include <geodrop/grid.hpp>
+#include <geodrop/grid/grid.hpp>
 
 namespace geodrop {
 

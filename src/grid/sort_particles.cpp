@@ -1,7 +1,7 @@
 #include "sort_particles.hpp"
 
 #include <algorithm>
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 #include <numeric>
 #include <sstream>
 

@@ -1,8 +1,8 @@
 // Keeps particles in memory in the order of their base cells, slab by slab, and tells which blocks they may touch.
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

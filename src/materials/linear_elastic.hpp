@@ -4,7 +4,7 @@
 
 #include "strain.hpp"
 
-#include <geodrop/materials.hpp>
+#include <geodrop/materials/materials.hpp>
 
 namespace geodrop {
 

@@ -1,5 +1,5 @@
 // From what the user wrote to the constants of the laws, and the numbers that the time step needs of them.
-#include <geodrop/materials.hpp>
+#include <geodrop/materials/materials.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "strain.hpp"
 #include "undrained.hpp"
 
-#include <geodrop/materials.hpp>
+#include <geodrop/materials/materials.hpp>
 
 #include <algorithm>
 #include <cmath>

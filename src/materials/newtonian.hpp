@@ -1,8 +1,8 @@
 // Viscous stress of a Newtonian fluid. Its pressure K (1/J - 1) is the business of the pressure stage.
 #pragma once
 
-#include <geodrop/materials.hpp>
-#include <geodrop/packet.hpp>
+#include <geodrop/base/packet.hpp>
+#include <geodrop/materials/materials.hpp>
 
 #include "strain.hpp"
 

@@ -14,8 +14,8 @@
 // apex. Reference: Clausen, Damkilde & Andersen (2007) for the regions, without the cut-off.
 #pragma once
 
-#include <geodrop/materials.hpp>
-#include <geodrop/packet.hpp>
+#include <geodrop/base/packet.hpp>
+#include <geodrop/materials/materials.hpp>
 
 namespace geodrop {
 

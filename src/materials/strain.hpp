@@ -3,8 +3,8 @@
 // The velocity-gradient increment dL = dt grad v is row-major: dL[a * Dim + b] = dt dv_a/dx_b.
 #pragma once
 
-#include <geodrop/packet.hpp>
-#include <geodrop/types.hpp>
+#include <geodrop/base/packet.hpp>
+#include <geodrop/base/types.hpp>
 
 #include <array>
 
@@ -91,7 +91,7 @@ template <int Dim, class R, class Law>
 }
 
 // What a law's update_point(points, law, rates, dt, p, k) is made of: it advances the state variables of particle p, or
-// of a packet from p on, by rates of entry k of a chunk, see kernels/chunk_laws.hpp.
+// of a packet from p on, by rates of entry k of a chunk, see transfer/chunk_laws.hpp.
 
 template <int Dim, class R>
 std::array<R, Dim * Dim> load_increment(const auto& rates, int k) {

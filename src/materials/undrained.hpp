@@ -1,7 +1,7 @@
 // Pore water that cannot leave: it follows the volume of the skeleton.
 #pragma once
 
-#include <geodrop/materials.hpp>
+#include <geodrop/materials/materials.hpp>
 
 namespace geodrop {
 

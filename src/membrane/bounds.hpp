@@ -1,7 +1,7 @@
 // The box around a membrane.
 #pragma once
 
-#include <geodrop/state.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <algorithm>
 

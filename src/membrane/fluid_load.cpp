@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace geodrop {
 namespace {

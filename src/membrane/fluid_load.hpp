@@ -1,8 +1,8 @@
 // Pressures of fluids on the edges of a membrane's polygon, as loads of its nodes (2D).
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../grid/point_support.hpp"
-#include "polygon.hpp"
+#include "geometry/polygon.hpp"
+#include "grid/point_support.hpp"
 
 namespace geodrop {
 namespace {

@@ -1,8 +1,8 @@
 // Tension-only membranes of two-node segments, and their transfer to and from the grid.
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 
@@ -20,7 +20,7 @@ std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane);
 template <int Dim>
 void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt);
 
-/// MUSL (kernels/remap.hpp): membrane nodes take their new velocity; positions stay.
+/// MUSL (transfer/baseline/remap.hpp): membrane nodes take their new velocity; positions stay.
 template <int Dim>
 void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt);
 

@@ -1,7 +1,7 @@
 // Rows of the step for membranes, and for tracers, which ride with the grid as their nodes do.
 #pragma once
 
-#include <geodrop/row.hpp>
+#include <geodrop/grid/row.hpp>
 
 namespace geodrop {
 

@@ -1,6 +1,6 @@
 #include "ask_program.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <fcntl.h>
 #include <poll.h>

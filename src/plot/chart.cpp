@@ -3,10 +3,10 @@
 
 #include "ask_program.hpp"
 
-#include "output/atomic_file.hpp"
-#include "output/text.hpp"
+#include "base/atomic_file.hpp"
+#include "base/text.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <algorithm>
 #include <array>

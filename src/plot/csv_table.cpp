@@ -1,7 +1,7 @@
 #include "csv_table.hpp"
 
-#include <geodrop/error.hpp>
-#include <geodrop/input_file.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/base/input_file.hpp>
 
 #include <algorithm>
 #include <cstdlib>

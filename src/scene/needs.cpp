@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "../probes/probes.hpp"
-
 namespace geodrop {
 
 bool any_body_shifts(const Scene& scene) {
@@ -33,11 +31,6 @@ bool any_model_drag(const Scene& scene) {
 bool any_membrane_load(const Scene& scene) {
   return any_membrane_contact(scene) || any_model_drag(scene) || !scene.still_fluids.empty() ||
          any_body_with(scene, PressureSupport::enclosed);
-}
-
-bool any_tracer(const Scene& scene) {
-  return std::any_of(scene.probes.begin(), scene.probes.end(),
-                     [](const ProbeSpec& p) { return std::holds_alternative<TracerSpec>(p.probe); });
 }
 
 }  // namespace geodrop

@@ -1,7 +1,7 @@
 // What a scene needs, asked once for all who allocate, run or judge it.
 #pragma once
 
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/scene.hpp>
 
 namespace geodrop {
 

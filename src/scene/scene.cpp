@@ -1,9 +1,7 @@
 // The scene as a value, and what the names in it refer to.
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/scene.hpp>
 
 #include <algorithm>
-
-#include "../probes/probes.hpp"
 
 namespace geodrop {
 namespace {
@@ -15,14 +13,6 @@ const Element* find_by(std::string Element::*member, const std::vector<Element>&
 }
 
 }  // namespace
-
-Scene::Scene() = default;
-Scene::Scene(const Scene&) = default;
-Scene::Scene(Scene&&) noexcept = default;
-Scene& Scene::operator=(const Scene&) = default;
-Scene& Scene::operator=(Scene&&) noexcept = default;
-Scene::~Scene() = default;
-bool Scene::operator==(const Scene&) const = default;
 
 const MaterialSpec* find_material(const Scene& scene, const std::string& name) {
   return find_by(&MaterialSpec::name, scene.materials, name);

@@ -1,4 +1,4 @@
-#include <geodrop/velocity_fields.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
 
 #include <algorithm>
 

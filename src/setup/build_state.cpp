@@ -1,26 +1,26 @@
 // From the scene to the state at t = 0.
 #include <algorithm>
 #include <cmath>
-#include <geodrop/exact.hpp>
-#include <geodrop/find_named.hpp>
-#include <geodrop/graded_axis.hpp>
-#include <geodrop/measure.hpp>
-#include <geodrop/setup.hpp>
-#include <geodrop/shapes.hpp>
-#include <geodrop/velocity_fields.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/measure/measure.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
+#include <geodrop/setup/setup.hpp>
+#include <geodrop/solutions/exact.hpp>
 #include <limits>
 #include <map>
 #include <numbers>
 
-#include "../boundary/silent_side.hpp"
-#include "../boundary/viscous_boundary.hpp"
-#include "../contact/membrane_contact.hpp"
-#include "../contact/surface_contact.hpp"
-#include "../pipeline/scene_stages.hpp"
-#include "../probes/probes.hpp"
+#include "boundary/silent_side.hpp"
+#include "boundary/viscous_boundary.hpp"
+#include "contact/membrane_contact.hpp"
+#include "contact/surface_contact.hpp"
 #include "fill_particles.hpp"
-#include "initial_stress.hpp"
-#include "membrane_nodes.hpp"
+#include "measure/probes/probes.hpp"
+#include "membrane/membrane_nodes.hpp"
+#include "scene_stages.hpp"
+#include "solutions/initial_stress.hpp"
 
 namespace geodrop {
 namespace {

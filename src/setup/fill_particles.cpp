@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <geodrop/error.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shapes.hpp>
 #include <numeric>
 #include <random>
 #include <unordered_map>

@@ -1,8 +1,8 @@
 // Particles of a body: a lattice aligned with the grid, cut to the body's shape.
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 namespace geodrop {
 

@@ -1,4 +1,4 @@
-#include <geodrop/setup.hpp>
+#include <geodrop/setup/setup.hpp>
 
 #include <algorithm>
 

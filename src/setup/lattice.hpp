@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <geodrop/graded_axis.hpp>
-#include <geodrop/scene.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/scene/scene.hpp>
 #include <vector>
 
 namespace geodrop {

@@ -1,11 +1,11 @@
 #include "memory_estimate.hpp"
 
-#include <geodrop/error.hpp>
-#include <geodrop/fields.hpp>
-#include <geodrop/graded_axis.hpp>
-#include <geodrop/materials.hpp>
-#include <geodrop/shapes.hpp>
-#include <geodrop/velocity_fields.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/materials/materials.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
+#include <geodrop/state/fields.hpp>
 
 #include <unistd.h>
 
@@ -16,7 +16,7 @@
 #include <limits>
 #include <numbers>
 
-#include "../output/text.hpp"
+#include "base/text.hpp"
 #include "lattice.hpp"
 
 namespace geodrop {

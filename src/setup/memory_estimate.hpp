@@ -1,7 +1,7 @@
 // How much memory a scene takes, told before any of it is allocated.
 #pragma once
 
-#include <geodrop/scene.hpp>
+#include <geodrop/scene/scene.hpp>
 
 #include <string>
 

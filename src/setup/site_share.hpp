@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <geodrop/scene.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/scene/scene.hpp>
 #include <vector>
 
 namespace geodrop {

@@ -1,7 +1,7 @@
 #include "judge.hpp"
-#include "../scene/units.hpp"
+#include "base/units.hpp"
 
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/reader/scene_reader.hpp>
 
 #include <algorithm>
 #include <cmath>

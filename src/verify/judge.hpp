@@ -1,8 +1,8 @@
 // From the runs of a scene to rows: errors against the reference, their order, met or not.
 #pragma once
 
-#include <geodrop/output.hpp>
-#include <geodrop/scene.hpp>
+#include <geodrop/files/output.hpp>
+#include <geodrop/scene/scene.hpp>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "report.hpp"
 
-#include "output/text.hpp"
+#include "base/text.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <algorithm>
 #include <cmath>

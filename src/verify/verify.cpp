@@ -1,15 +1,15 @@
 // Finds the cases, runs their variants one after the other, reports.
-#include <geodrop/error.hpp>
-#include <geodrop/graded_axis.hpp>
-#include <geodrop/run.hpp>
-#include <geodrop/scene_reader.hpp>
-#include <geodrop/stop_signal.hpp>
-#include <geodrop/verify.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/base/stop_signal.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/step/run.hpp>
+#include <geodrop/verify/verify.hpp>
 
+#include "base/atomic_file.hpp"
+#include "base/text.hpp"
 #include "bench/machine.hpp"
 #include "judge.hpp"
-#include "output/atomic_file.hpp"
-#include "output/text.hpp"
 #include "report.hpp"
 #include "work_precision.hpp"
 

@@ -1,7 +1,7 @@
 // The table of instruction counts: planted changes, files, what callgrind writes. Nothing is counted here.
 #include "bench/instructions.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <fstream>
 

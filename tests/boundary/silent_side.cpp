@@ -2,7 +2,7 @@
 #include "boundary/silent_side.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
 

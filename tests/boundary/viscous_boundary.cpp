@@ -2,7 +2,7 @@
 #include "boundary/viscous_boundary.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include "support/near.hpp"
 #include "support/random_particles.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "scene/toml.hpp"
+#include "keys/toml.hpp"
 #include "support/scene_files.hpp"
 
 using namespace geodrop;

@@ -55,6 +55,6 @@ TEST_CASE("A message shows the beginning of what was found") {
   { std::ofstream(scene) << "title = \"long\"\ndimension = \"" << std::string(100000, 'x') << "\"\n"; }
   const Outcome outcome = run_program({"check", scene});
   CHECK(outcome.code == 2);
-  CHECK(contains(outcome.err, std::string(199, 'x') + "... (1000"));
+  CHECK(contains(outcome.err, std::string(199, 'x').append("... (1000")));
   CHECK(outcome.err.size() < 5000);
 }

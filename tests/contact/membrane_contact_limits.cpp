@@ -1,6 +1,6 @@
 // Contact of membranes: whose stiffness counts, and how deep the own folds of an open membrane press.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Bare particles on rigid surfaces: what reaches the grid, which particles count, and how far they reach.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
 #include <numeric>

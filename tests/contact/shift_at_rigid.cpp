@@ -2,7 +2,7 @@
 #include "contact/shift_at_rigid.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #include "contact/surface_contact.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <numeric>
 

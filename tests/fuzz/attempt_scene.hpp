@@ -4,10 +4,10 @@
 #include "fuzz/fuzz.hpp"
 #include "setup/memory_estimate.hpp"
 
-#include <geodrop/history.hpp>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/run.hpp>
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/measure/history.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/step/pipeline.hpp>
+#include <geodrop/step/run.hpp>
 
 #include <sstream>
 

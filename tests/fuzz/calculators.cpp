@@ -5,7 +5,7 @@
 #include "command_line/geotube.hpp"
 #include "command_line/release.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <algorithm>
 #include <iostream>

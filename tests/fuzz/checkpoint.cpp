@@ -2,12 +2,12 @@
 // hostile writer could: refused with the reason, or a state that runs on for a millisecond.
 #include "fuzz/fuzz.hpp"
 #include "fuzz/mutate_text.hpp"
-#include "pipeline/check_resumable.hpp"
+#include "step/check_resumable.hpp"
 
-#include <geodrop/checkpoint.hpp>
-#include <geodrop/error.hpp>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/files/checkpoint.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <xxhash.h>
 

@@ -84,7 +84,7 @@ std::string changed_override(fuzz::Chance& chance) {
 const std::vector<std::string>& good_scenes() {
   static const std::vector<std::string> all{"tests/scenes/block_on_slab.toml", "tests/scenes/tube.toml",
                                             "tests/scenes/run_up_3d.toml",     "cases/dump_kekerdom.toml",
-                                            "tests/scenes/round_pulse.toml",   "tests/scene/every_key.toml"};
+                                            "tests/scenes/round_pulse.toml",   "tests/reader/every_key.toml"};
   return all;
 }
 

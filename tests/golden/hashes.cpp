@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "kernels/levels.hpp"
 #include "support/golden.hpp"
 #include "support/program.hpp"
+#include "transfer/levels.hpp"
 
 using namespace geodrop::test;
 

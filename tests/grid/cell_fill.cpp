@@ -3,9 +3,9 @@
 
 #include "grid/cell_pressure.hpp"
 #include "grid/sort_particles.hpp"
-#include "kernels/transfer_stages.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
+#include "transfer/transfer_stages.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;

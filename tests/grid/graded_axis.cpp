@@ -1,9 +1,9 @@
 // Graded axes: where cells stand, which span holds a place, what the splines on it are, and their integrals.
 #include <doctest/doctest.h>
 
-#include <geodrop/graded_axis.hpp>
+#include <geodrop/grid/graded_axis.hpp>
 
-#include "kernels/bases.hpp"
+#include "grid/bases.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 

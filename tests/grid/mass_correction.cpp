@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "grid/momentum.hpp"
-#include "kernels/kernels.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
+#include "transfer/kernels.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;

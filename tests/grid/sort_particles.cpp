@@ -2,7 +2,7 @@
 #include "grid/sort_particles.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <limits>
 #include <string>

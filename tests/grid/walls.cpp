@@ -3,9 +3,9 @@
 
 #include "grid/momentum.hpp"
 #include "grid/sort_particles.hpp"
-#include "kernels/kernels.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
+#include "transfer/kernels.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;

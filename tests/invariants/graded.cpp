@@ -1,7 +1,7 @@
 // A zone as coarse as the grid changes nothing but round-off; grids that are graded in earnest keep what uniform ones
 // keep.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
 

@@ -3,9 +3,9 @@
 // the scene does, to round-off. GEODROP_RANDOM_SCENES=1000 runs more of them than the 200 that are the default,
 // GEODROP_FIRST_SCENE=17 begins with the one of that seed.
 #include <doctest/doctest.h>
-#include <geodrop/error.hpp>
-#include <geodrop/measure.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/measure/measure.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <functional>
 #include <map>

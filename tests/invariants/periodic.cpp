@@ -1,12 +1,12 @@
 // A periodic wall is no place: what crosses it moves as it would in the middle of the domain.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include "grid/momentum.hpp"
-#include "kernels/kernels.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
+#include "transfer/kernels.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;

@@ -1,7 +1,7 @@
 // A scene in space that is the same at every depth between smooth walls is the scene in plane strain.
 #include <doctest/doctest.h>
-#include <geodrop/measure.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/measure/measure.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <map>
 

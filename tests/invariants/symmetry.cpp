@@ -1,6 +1,6 @@
 // What must not matter: the order of the bodies in the scene, which side is left, where the origin is.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // One material point under test: soils by their usual constants, tensors by principal values and axes.
 #pragma once
 
-#include <geodrop/materials.hpp>
+#include <geodrop/materials/materials.hpp>
 
 #include "materials/laws.hpp"
 

@@ -5,7 +5,7 @@
 #include "support/scene_files.hpp"
 #include "support/text.hpp"
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // Which bodies move with which velocity field, and what the grids of the fields hold.
-#include <geodrop/velocity_fields.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
 
 #include <doctest/doctest.h>
-#include <geodrop/grid.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 // Bodies with skins that rest on each other, slide, stick and collide, against exact answers.
 #include <doctest/doctest.h>
-#include <geodrop/find_named.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <algorithm>
 #include <cmath>

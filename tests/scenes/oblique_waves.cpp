@@ -5,7 +5,7 @@
 // along (sin phi, cos phi), sin phi = (c_s / c_p) sin theta, with s along (cos phi, -sin phi). The displacement
 // gradient of a plane wave v(t - n.x / c) is -v n^T / c; its stress follows.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <Eigen/LU>
 

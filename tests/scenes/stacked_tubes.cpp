@@ -1,6 +1,6 @@
 // A plate on a fluid tube and tubes on tubes: exact shapes, and the balance of the forces that their membranes
 // exchange.
-#include <geodrop/geotube.hpp>
+#include <geodrop/calculators/geotube.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Sand that is thrown apart and falls together: it keeps its volume with void memory and grows without, and no particle
 // ever leaves its balance of volume, stress and gap.
 #include <doctest/doctest.h>
-#include <geodrop/measure.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/measure/measure.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
 

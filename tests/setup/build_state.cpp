@@ -1,7 +1,7 @@
 // The state at t = 0 from a scene: membranes, tracers, velocities, arrays of absent features.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <numbers>
 

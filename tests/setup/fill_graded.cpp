@@ -1,7 +1,7 @@
 // Bodies on graded axes: sites are even in the grid coordinate, and their particles hold the volume of the shape.
 #include <doctest/doctest.h>
-#include <geodrop/grid.hpp>
-#include <geodrop/pipeline.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <numbers>
 

@@ -1,8 +1,8 @@
 // Bodies filled with particles: area, centre and layers of the shape, the lattice, jitter.
 #include <doctest/doctest.h>
-#include <geodrop/error.hpp>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <numbers>
 #include <random>

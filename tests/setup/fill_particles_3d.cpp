@@ -1,7 +1,7 @@
 // Bodies in space filled with particles: volume, centre and layers of the shape, the lattice, jitter.
 #include <doctest/doctest.h>
-#include <geodrop/pipeline.hpp>
-#include <geodrop/shapes.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/step/pipeline.hpp>
 
 #include <algorithm>
 #include <numbers>

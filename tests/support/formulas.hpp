@@ -1,7 +1,7 @@
 // What tests of closed forms share.
 #pragma once
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <doctest/doctest.h>
 

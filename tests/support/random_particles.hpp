@@ -2,10 +2,10 @@
 // hold whatever the numbers are.
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/materials.hpp>
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/materials/materials.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Scene files for tests: those of the repository, and texts that a test writes.
 #pragma once
 
-#include <geodrop/scene_reader.hpp>
+#include <geodrop/reader/scene_reader.hpp>
 
 #include <unistd.h>
 

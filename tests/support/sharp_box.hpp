@@ -2,15 +2,15 @@
 // and what the bag cuts off each can be worked out on paper.
 #pragma once
 
-#include <geodrop/grid.hpp>
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "interface/interface_cells.hpp"
+#include "cut/interface_cells.hpp"
 #include "support/random_particles.hpp"
 
 namespace geodrop::test {

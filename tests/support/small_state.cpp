@@ -1,6 +1,6 @@
 #include "small_state.hpp"
 
-#include "probes/probes.hpp"
+#include "measure/probes/probes.hpp"
 
 namespace geodrop {
 

@@ -2,8 +2,8 @@
 // square of four soil particles with a membrane around it, one tracer.
 #pragma once
 
-#include <geodrop/scene.hpp>
-#include <geodrop/state.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
 
 #include <array>
 #include <vector>

@@ -1,9 +1,9 @@
 // Bodies and the membranes around them.
 #pragma once
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shape.hpp>
 #include <geodrop/scene/initial.hpp>
-#include <geodrop/scene/shapes.hpp>
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@
 namespace geodrop {
 
 /// Where the mean stress of a body acts from: the cell average (cures locking and noise), each particle, or the nodal
-/// average of tri3 and tet4 (the paper's cure), or cells cut exactly by the membrane around (enclosed/enclosed_fluid).
+/// average of tri3 and tet4 (the paper's cure), or cells cut exactly by the membrane around (cut/enclosed_fluid).
 enum class PressureSupport { cell, particle, nodal, enclosed };
 
 struct BodySpec {
@@ -36,7 +36,7 @@ struct BodySpec {
 /// How the body of a membrane and what is around it share cells.
 enum class Interface {
   mixture,  ///< one velocity field: they stick to each other
-  sharp     ///< a field each, cut cells between them; they slip along the membrane (src/interface)
+  sharp     ///< a field each, cut cells between them; they slip along the membrane (src/cut)
 };
 /// What hinders the fluid around that slips along a sharp interface.
 enum class Shear {

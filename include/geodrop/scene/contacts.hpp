@@ -1,8 +1,8 @@
 // Rigid bodies, how they move, and what touches what.
 #pragma once
 
-#include <geodrop/error.hpp>
-#include <geodrop/scene/shapes.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shape.hpp>
 
 #include <array>
 #include <string>

@@ -1,8 +1,8 @@
 // What bodies start from: stress, velocity, and the exact solutions that they may follow.
 #pragma once
 
-#include <geodrop/error.hpp>
-#include <geodrop/scene/shapes.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shape.hpp>
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // What acts on bodies and membranes from outside of the simulated domain.
 #pragma once
 
-#include <geodrop/error.hpp>
-#include <geodrop/scene/shapes.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shape.hpp>
 
 #include <string>
 

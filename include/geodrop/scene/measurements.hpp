@@ -1,7 +1,7 @@
 // What a scene makes of its measurements: results, expectations, verification.
 #pragma once
 
-#include <geodrop/error.hpp>
+#include <geodrop/base/error.hpp>
 
 #include <limits>
 #include <string>

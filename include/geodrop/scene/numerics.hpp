@@ -1,8 +1,8 @@
 // Grid, time integration, stages in time and output.
 #pragma once
 
-#include <geodrop/error.hpp>
-#include <geodrop/scene/shapes.hpp>
+#include <geodrop/base/error.hpp>
+#include <geodrop/geometry/shape.hpp>
 
 #include <string>
 #include <vector>
@@ -43,7 +43,7 @@ struct SolverSpec {
   MassMatrix mass_matrix = MassMatrix::lumped;
   bool operator==(const SolverSpec&) const = default;
 };
-/// How a run comes to rest: kinetic damping until both ratios are met, see pipeline/relaxation.
+/// How a run comes to rest: kinetic damping until both ratios are met, see step/relaxation.
 struct RelaxationSpec {
   enum class Damping { none, kinetic } damping = Damping::none;
   double kinetic_ratio = 0;         ///< kinetic energy over the work of gravity, to be reached [-]

@@ -1,0 +1,43 @@
+// A sharp interface between the body inside a closed membrane and what is around it (2D, quadratic B-splines): each has
+// a velocity field of its own, and the cells that the membrane cuts are shared exactly.
+//
+//   a_ic = int_(c inside) grad N_i dV,  G_ic = int_c grad N_i dV,  b_ic = int_(membrane in c) N_i n dl
+//
+// The body's field has the part a_ic of a cut cell, the field around it the part G_ic - a_ic. With g_ic the part of a
+// field, P and D of that field as in grid/cell_pressure:
+//
+//   f_i = sum_c P_c g_ic,   D_c = sum_i v_i . g_ic / sum V_p
+//
+// Since sum_c a_ic = sum_c b_ic, an even pressure on both sides and on the membrane leaves no node with a force.
+// Cells of which a field has less than half, or few particles, join a neighbour: both have one pressure and one rate.
+// Method: cut cells as in Fries & Belytschko's review of XFEM (2010), the merging of small cells of cut-cell
+// finite-volume methods (Ye et al. 1999).
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
+
+namespace geodrop {
+
+/// Cuts the cells at sharp membranes; Grid::taken of the fields on both sides.
+void cut_interface_cells(const State<2>& state, Grids<2>& grids);
+
+/// Pressures of the parts of cut cells, from those that grid/cell_fill left.
+void share_interface_pressure(const State<2>& state, Grids<2>& grids);
+
+/// Volume ratios of the particles of fluids near their cell's mean, at a share of the wave speed; the volume of each
+/// cell stays. No force does that: cells know means only, and what strays from them is carried along and turns up
+/// elsewhere as noise of the pressure.
+void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt);
+
+/// Adds to the fill ratios of nodes what lies on the other side: particles shift away from crowds and into voids beside
+/// the membrane as elsewhere, and keep their distance from it.
+void fill_other_sides(const State<2>& state, Grids<2>& grids);
+
+/// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N].
+void add_interface_force(Grids<2>& grids);
+
+/// Volume rates of the parts of cut cells.
+void update_interface_rates(Grids<2>& grids);
+
+}  // namespace geodrop

@@ -1,0 +1,30 @@
+// Normal velocities on both sides of a sharp interface are one, weakly: for each stretch r of a membrane, about a cell
+// long,
+//
+//   sum_c in r sum_i b_ic . (v_i inside - v_i around) = 0
+//
+// Its multiplier p_r is the pressure on the membrane [Pa]: v_i inside -= dt p_r b_ir / m_i, around += dt p_r b_ir /
+// m_i. What light nodes cannot take goes to their neighbours, here as in grid/momentum, so that an even pressure
+// inside, around and on the membrane leaves no node with a force; b is spread in the same way, so that the system
+//
+//   S p = E v / dt,  S = E M^-1 E^T
+//
+// stays symmetric, and all impulses come in pairs. Conjugate gradients, from the pressures of the last step.
+//
+// Where the fluid sticks to the membrane (Shear::no_slip) a second row for each stretch says the same of the velocities
+// along it. Otherwise friction follows: at most mu (p_r - u_r) on a bed, if the membrane names one, u_r the pressure of
+// the water in its pores; at most 1/2 rho C_f u^2 in fluid that slips with the velocity u (Shear::wall_law).
+// The membrane does not part from a fluid. From a bed it does rather than pull: p_r >= 0 there, with a gap that only
+// opens where p_r = 0.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
+
+namespace geodrop {
+
+/// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
+/// Membrane::water_pressure and water_shear.
+void join_interfaces(State<2>& state, Grids<2>& grids, double dt);
+
+}  // namespace geodrop

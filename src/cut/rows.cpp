@@ -1,0 +1,66 @@
+#include "rows.hpp"
+
+#include "scene/needs.hpp"
+
+#include <algorithm>
+
+#include "interface_cells.hpp"
+#include "interface_constraint.hpp"
+#include "keep_sides.hpp"
+#include "model_drag.hpp"
+
+namespace geodrop {
+
+Row<2> cut_cells_row(const Scene& scene) {
+  return {"cut_cells", Data::membranes | Data::membrane_position,
+          Data::cut_cells | Data::cell_flags | Data::volume_rate, has_sharp_interface(scene),
+          [](const State<2>& s, Grids<2>& f, const StepContext&) { cut_interface_cells(s, f); }};
+}
+
+Row<2> interface_pressure_row(const Scene& scene) {
+  return {"interface_pressure", Data::cut_cells | Data::position | Data::mass | Data::volume_ratio,
+          Data::cut_cells | Data::cell_volume | Data::cell_pressure | Data::cell_flags, has_sharp_interface(scene),
+          [](const State<2>& s, Grids<2>& f, const StepContext&) { share_interface_pressure(s, f); }};
+}
+
+Row<2> even_out_volumes_row(const Scene& scene) {
+  return {"even_out_volumes", Data::cell_pressure | Data::cell_flags | Data::position, Data::volume_ratio,
+          has_sharp_interface(scene),
+          [](State<2>& s, const Grids<2>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
+}
+
+Row<2> model_drag_row(const Scene& scene) {
+  return {"model_drag", Data::membrane_position | Data::membrane_velocity | Data::velocity | Data::mass,
+          Data::membrane_load, any_model_drag(scene),
+          [](State<2>& s, const Grids<2>&, const StepContext&) { add_model_drag(s); }};
+}
+
+Row<2> interface_force_row(const Scene& scene) {
+  return {"interface_force", Data::cut_cells | Data::cell_pressure, Data::nodal_force, has_sharp_interface(scene),
+          [](const State<2>&, Grids<2>& f, const StepContext&) { add_interface_force(f); }};
+}
+
+Row<2> join_interfaces_row(const Scene& scene) {
+  return {"join_interfaces", Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position,
+          Data::nodal_velocity | Data::velocity_change | Data::water_traction, has_sharp_interface(scene),
+          [](State<2>& s, Grids<2>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
+}
+
+Row<2> fill_other_sides_row(const Scene& scene) {
+  return {"fill_other_sides", Data::cut_cells, Data::nodal_velocity,
+          has_sharp_interface(scene) && any_body_shifts(scene),
+          [](const State<2>& s, Grids<2>& f, const StepContext&) { fill_other_sides(s, f); }};
+}
+
+Row<2> interface_rate_row(const Scene& scene) {
+  return {"interface_rate", Data::cut_cells | Data::cell_volume | Data::nodal_velocity, Data::volume_rate,
+          has_sharp_interface(scene),
+          [](const State<2>&, Grids<2>& f, const StepContext&) { update_interface_rates(f); }};
+}
+
+Row<2> keep_sides_row(const Scene& scene) {
+  return {"keep_sides", Data::cut_cells | Data::membrane_position, Data::position, has_sharp_interface(scene),
+          [](State<2>& s, const Grids<2>& f, const StepContext&) { keep_sides(s, f); }};
+}
+
+}  // namespace geodrop

@@ -1,0 +1,157 @@
+#include "snapshot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/measure/measure.hpp>
+#include <limits>
+
+#include "contact/rigid_surface.hpp"
+
+namespace geodrop {
+namespace {
+
+const std::vector<std::string> vector_components = {"X", "Y", "Z"};
+const std::vector<std::string> tensor_components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+
+/// Calls column(name, names of components, write) for all that particles show: write(p, to) gives one particle's
+/// values.
+template <int Dim, class Column>
+void for_each_column(const Body<Dim>& body, Column column) {
+  column("velocity", vector_components, [&](std::size_t p, float* to) {
+    for (int a = 0; a < Dim; ++a) to[a] = narrow(body.v[a][p]);
+  });
+  column("displacement", vector_components, [&](std::size_t p, float* to) {
+    for (int a = 0; a < Dim; ++a) to[a] = narrow(body.x[a][p] - body.initial_x[a][body.id[p]]);
+  });
+  column("stress", tensor_components, [&](std::size_t p, float* to) {
+    const auto stress = total_stress(body, p);
+    for (int k = 0; k < stress_components<Dim>; ++k) to[k] = narrow(stress[k]);
+  });
+  column("mean_pressure", {}, [&](std::size_t p, float* to) { *to = narrow(mean_pressure(body, p)); });
+  column("volumetric_strain", {}, [&](std::size_t p, float* to) { *to = narrow(body.J[p] - 1); });
+  column("density", {}, [&](std::size_t p, float* to) { *to = narrow(reference_density(body.material) / body.J[p]); });
+  for_each_shown_field(body, column);
+}
+
+template <int Dim>
+ParticleSnapshot make_room(const State<Dim>& state) {
+  ParticleSnapshot out;
+  std::size_t count = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    if (body.field != waiting) count += body.size();
+    for_each_column(body, [&](const char* name, const std::vector<std::string>& components, auto) {
+      if (!is_named(out.fields, name)) out.fields.push_back({name, components, {}});
+    });
+  }
+  for (Field& field : out.fields) field.values.resize(field.width() * count);
+  out.points.resize(3 * count);
+  out.layer.resize(count);
+  out.material.resize(count);
+  out.body.resize(count);
+  out.id.resize(count);
+  return out;
+}
+
+template <int Dim>
+ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials) {
+  ParticleSnapshot out = make_room(state);
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<Dim>& body = state.bodies[b];
+    if (body.field == waiting) continue;
+    const auto material = std::find(materials.begin(), materials.end(), body.material_name) - materials.begin();
+#pragma omp parallel for schedule(static)
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      const std::size_t to = first + p;
+      for (int a = 0; a < Dim; ++a) out.points[3 * to + a] = body.x[a][p];
+      out.id[to] = body.id[p];
+      out.layer[to] = body.layer.empty() ? 0 : body.layer[body.id[p]];
+      out.material[to] = static_cast<std::uint32_t>(material);
+      out.body[to] = static_cast<std::uint32_t>(b);
+    }
+    for_each_column(body, [&](const std::string& name, const std::vector<std::string>&, auto write) {
+      Field& field = find_named(out.fields, name);
+      const std::size_t width = field.width();
+#pragma omp parallel for schedule(static)
+      for (std::size_t p = 0; p < body.size(); ++p) write(p, &field.values[(first + p) * width]);
+    });
+    first += body.size();
+  }
+  return out;
+}
+
+template <int Dim>
+void append_membrane(const Membrane<Dim>& membrane, std::uint32_t index, MembraneSnapshot& out) {
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  const auto nodes = static_cast<std::uint32_t>(membrane.nodes());
+  for (std::uint32_t i = 0; i < nodes; ++i)
+    for (int a = 0; a < 3; ++a) out.points.push_back(a < Dim ? membrane.x[a][i] : 0.0);
+  for (std::uint32_t s = 0; s < membrane.segments(); ++s) {
+    out.connectivity.push_back(first + s);
+    out.connectivity.push_back(first + (s + 1) % nodes);
+    out.fields[0].values.push_back(narrow(membrane.tension[s]));
+    out.fields[1].values.push_back(narrow(membrane.strain[s]));
+    out.fields[2].values.push_back(membrane.strength > 0 ? narrow(membrane.tension[s] / membrane.strength)
+                                                         : std::numeric_limits<float>::quiet_NaN());
+    out.membrane.push_back(index);
+  }
+}
+
+void append_rigid(const RigidBody<2>& body, std::uint32_t index, RigidSnapshot& out) {
+  const RigidSurface surface(body);
+  const std::vector<Vec<2>> corners = outline(body);
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  for (const Vec<2>& x : corners) {
+    const Vec<2> v = surface.velocity(x);
+    out.points.insert(out.points.end(), {x[0], x[1], 0.0});
+    auto& velocity = out.fields[0].values;
+    velocity.insert(velocity.end(), {narrow(v[0]), narrow(v[1]), 0.0F});
+  }
+  for (std::uint32_t line = 0; line + 1 < count || (line < count && !body.half_plane); ++line) {
+    out.connectivity.push_back(first + line);
+    out.connectivity.push_back(first + (line + 1) % count);
+    out.rigid.push_back(index);
+  }
+}
+
+/// By the size of a particle, which is that of its volume.
+template <int Dim>
+Precision precision_for(const State<Dim>& state) {
+  constexpr double farthest = 1e5;  // particles
+  double volume = 0, largest = 0, count = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    for (std::size_t p = 0; p < body.size(); ++p) volume += body.volume(p);
+    for (const auto& component : body.x)
+      for (const double x : component) largest = std::max(largest, std::abs(x));
+    count += static_cast<double>(body.size());
+  }
+  return largest > farthest * std::pow(volume / count, 1.0 / Dim) ? Precision::twice : Precision::single;
+}
+
+}  // namespace
+
+template <int Dim>
+Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials) {
+  Snapshot snapshot;
+  snapshot.t = state.t;
+  snapshot.particles = copy_particles(state, materials);
+  snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
+  for (std::size_t m = 0; m < state.membranes.size(); ++m)
+    if (state.membranes[m].field != waiting)
+      append_membrane(state.membranes[m], static_cast<std::uint32_t>(m), snapshot.membranes);
+  snapshot.has_rigid = !state.rigid.empty();
+  snapshot.rigid.fields = {{"velocity", vector_components, {}}};
+  if constexpr (Dim == 2)
+    for (std::size_t r = 0; r < state.rigid.size(); ++r)
+      if (state.rigid[r].present) append_rigid(state.rigid[r], static_cast<std::uint32_t>(r), snapshot.rigid);
+  snapshot.particles.precision = snapshot.membranes.precision = snapshot.rigid.precision = precision_for(state);
+  return snapshot;
+}
+
+template Snapshot take_snapshot(const State<2>&, const std::vector<std::string>&);
+template Snapshot take_snapshot(const State<3>&, const std::vector<std::string>&);
+
+}  // namespace geodrop

@@ -1,0 +1,75 @@
+// Chords of shapes: what a line along an axis has in common with them.
+#include <geodrop/geometry/shapes.hpp>
+
+#include "ellipse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geodrop {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<Chord> chords_of(const BoxShape& box, const Point& x, std::size_t axis) {
+  for (std::size_t a = 0; a < x.size(); ++a) {
+    if (a != axis && (x[a] < box.lower[a] || x[a] > box.upper[a])) return {};
+  }
+  return {{box.lower[axis], box.upper[axis]}};
+}
+
+/// With x = base + t e in axes scaled to a unit circle: |p + t q|^2 = 1.
+std::vector<Chord> chords_of(const EllipseShape& ellipse, const Point& x, std::size_t axis) {
+  Point base = x;
+  base[axis] = ellipse.centre[axis];
+  Point next = base;
+  next[axis] += 1;
+  const Point p = to_local(ellipse, base), end = to_local(ellipse, next);
+  double qq = 0, pq = 0, pp = 0;
+  for (std::size_t a = 0; a < p.size(); ++a) {
+    const double scale2 = ellipse.semi_axes[a] * ellipse.semi_axes[a], q = end[a] - p[a];
+    qq += q * q / scale2;
+    pq += p[a] * q / scale2;
+    pp += p[a] * p[a] / scale2;
+  }
+  const double discriminant = pq * pq - qq * (pp - 1);
+  if (discriminant <= 0) return {};
+  const double middle = base[axis] - pq / qq, half = std::sqrt(discriminant) / qq;
+  return {{middle - half, middle + half}};
+}
+
+std::vector<Chord> chords_of(const PolygonShape& polygon, const Point& x, std::size_t axis) {
+  const std::size_t other = 1 - axis;
+  const std::vector<Point>& points = polygon.points;
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& a = points[i];
+    const Point& b = points[(i + 1) % points.size()];
+    if ((a[other] > x[other]) == (b[other] > x[other])) continue;
+    crossings.push_back(a[axis] + (x[other] - a[other]) * (b[axis] - a[axis]) / (b[other] - a[other]));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<Chord> found;
+  for (std::size_t k = 1; k < crossings.size(); k += 2) found.push_back({crossings[k - 1], crossings[k]});
+  return found;
+}
+
+std::vector<Chord> chords_of(const HalfPlaneShape& half, const Point& x, std::size_t axis) {
+  double height = 0;  // times the length of the normal, of the point of the line at the level of half.point
+  for (std::size_t a = 0; a < x.size(); ++a) {
+    if (a != axis) height += (x[a] - half.point[a]) * half.normal[a];
+  }
+  const double slope = half.normal[axis];
+  if (slope == 0) return height <= 0 ? std::vector<Chord>{{-kInfinity, kInfinity}} : std::vector<Chord>{};
+  const double cut = half.point[axis] - height / slope;
+  return {slope > 0 ? Chord{-kInfinity, cut} : Chord{cut, kInfinity}};
+}
+
+}  // namespace
+
+std::vector<Chord> chords(const Shape& shape, const Point& x, int axis) {
+  return std::visit([&](const auto& s) { return chords_of(s, x, static_cast<std::size_t>(axis)); }, shape);
+}
+
+}  // namespace geodrop

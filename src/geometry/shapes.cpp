@@ -1,0 +1,236 @@
+#include <geodrop/geometry/shapes.hpp>
+
+#include "ellipse.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace geodrop {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double cross(const Point& o, const Point& a, const Point& b) {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+double signed_area(const std::vector<Point>& points) {
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& a = points[i];
+    const Point& b = points[(i + 1) % points.size()];
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return twice / 2;
+}
+
+double distance_to_segment(const Point& a, const Point& b, const Point& x) {
+  const double length2 = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
+  const double along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
+  const double s = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+  return distance(x, {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
+}
+
+bool on_segment(const Point& a, const Point& b, const Point& x) {
+  if (cross(a, b, x) != 0) return false;
+  return std::min(a[0], b[0]) <= x[0] && x[0] <= std::max(a[0], b[0]) && std::min(a[1], b[1]) <= x[1] &&
+         x[1] <= std::max(a[1], b[1]);
+}
+
+/// Corners anticlockwise.
+std::vector<Point> corners(const BoxShape& box) {
+  return {box.lower, {box.upper[0], box.lower[1]}, box.upper, {box.lower[0], box.upper[1]}};
+}
+std::vector<Point> corners(const PolygonShape& polygon) {
+  std::vector<Point> points = polygon.points;
+  if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+std::vector<Point> divide_edges(const std::vector<Point>& points, double spacing) {
+  std::vector<Point> divided;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& a = points[i];
+    const Point& b = points[(i + 1) % points.size()];
+    const int pieces = std::max(1, static_cast<int>(std::lround(distance(a, b) / spacing)));
+    for (int k = 0; k < pieces; ++k) {
+      const double s = static_cast<double>(k) / pieces;
+      divided.push_back({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
+    }
+  }
+  return divided;
+}
+
+double length_around(const std::vector<Point>& points) {
+  double length = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) length += distance(points[i], points[(i + 1) % points.size()]);
+  return length;
+}
+
+double distance_around(const std::vector<Point>& points, const Point& x) {
+  double nearest = kInfinity;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    nearest = std::min(nearest, distance_to_segment(points[i], points[(i + 1) % points.size()], x));
+  }
+  return nearest;
+}
+
+/// Signed height over the boundary of a half-plane, positive outside [m].
+double height_over(const HalfPlaneShape& half, const Point& x) {
+  double dot = 0, norm2 = 0;
+  for (std::size_t a = 0; a < x.size(); ++a) {
+    dot += (x[a] - half.point[a]) * half.normal[a];
+    norm2 += half.normal[a] * half.normal[a];
+  }
+  return dot / std::sqrt(norm2);
+}
+
+// One overload per shape; the public functions visit.
+bool contains_point(const BoxShape& box, const Point& x) {
+  for (std::size_t a = 0; a < x.size(); ++a) {
+    if (x[a] < box.lower[a] || x[a] > box.upper[a]) return false;
+  }
+  return true;
+}
+bool contains_point(const EllipseShape& ellipse, const Point& x) {
+  const Point local = to_local(ellipse, x);
+  double sum = 0;
+  for (std::size_t a = 0; a < local.size(); ++a)
+    sum += local[a] * local[a] / (ellipse.semi_axes[a] * ellipse.semi_axes[a]);
+  return sum <= 1;
+}
+bool contains_point(const PolygonShape& polygon, const Point& x) {
+  bool inside = false;
+  const std::vector<Point>& points = polygon.points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& a = points[i];
+    const Point& b = points[(i + 1) % points.size()];
+    if (on_segment(a, b, x)) return true;
+    const bool straddles = (a[1] > x[1]) != (b[1] > x[1]);
+    if (straddles && x[0] < a[0] + (x[1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1])) inside = !inside;
+  }
+  return inside;
+}
+bool contains_point(const HalfPlaneShape& half, const Point& x) { return height_over(half, x) <= 0; }
+
+Bounds bounds_of(const BoxShape& box) { return {box.lower, box.upper}; }
+Bounds bounds_of(const EllipseShape& ellipse) {
+  const double c = std::cos(ellipse.tilt_deg * std::numbers::pi / 180);
+  const double s = std::sin(ellipse.tilt_deg * std::numbers::pi / 180);
+  Point half = ellipse.semi_axes;
+  half[0] = std::hypot(ellipse.semi_axes[0] * c, ellipse.semi_axes[1] * s);
+  half[1] = std::hypot(ellipse.semi_axes[0] * s, ellipse.semi_axes[1] * c);
+  Bounds box{ellipse.centre, ellipse.centre};
+  for (std::size_t a = 0; a < half.size(); ++a) {
+    box.lower[a] -= half[a];
+    box.upper[a] += half[a];
+  }
+  return box;
+}
+Bounds bounds_of(const PolygonShape& polygon) {
+  Bounds box{polygon.points.at(0), polygon.points.at(0)};
+  for (const Point& point : polygon.points) {
+    for (std::size_t a = 0; a < point.size(); ++a) {
+      box.lower[a] = std::min(box.lower[a], point[a]);
+      box.upper[a] = std::max(box.upper[a], point[a]);
+    }
+  }
+  return box;
+}
+Bounds bounds_of(const HalfPlaneShape& half) {
+  return {Point(half.point.size(), -kInfinity), Point(half.point.size(), kInfinity)};
+}
+
+double area_of(const BoxShape& box) { return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]); }
+double area_of(const EllipseShape& ellipse) { return std::numbers::pi * ellipse.semi_axes[0] * ellipse.semi_axes[1]; }
+double area_of(const PolygonShape& polygon) { return std::abs(signed_area(polygon.points)); }
+double area_of(const HalfPlaneShape&) { return kInfinity; }
+
+std::vector<Point> outline_of(const BoxShape& box, double spacing) { return divide_edges(corners(box), spacing); }
+std::vector<Point> outline_of(const PolygonShape& polygon, double spacing) {
+  return divide_edges(corners(polygon), spacing);
+}
+std::vector<Point> outline_of(const EllipseShape& ellipse, double spacing) { return even_points(ellipse, spacing); }
+std::vector<Point> outline_of(const HalfPlaneShape&, double) {
+  assert(false && "a half-plane has no closed outline; clip it first");
+  return {};
+}
+
+double perimeter_of(const BoxShape& box) { return length_around(corners(box)); }
+double perimeter_of(const PolygonShape& polygon) { return length_around(polygon.points); }
+double perimeter_of(const EllipseShape& ellipse) { return ellipse_perimeter(ellipse); }
+double perimeter_of(const HalfPlaneShape&) { return kInfinity; }
+
+double distance_of(const BoxShape& box, const Point& x) { return distance_around(corners(box), x); }
+double distance_of(const PolygonShape& polygon, const Point& x) { return distance_around(polygon.points, x); }
+double distance_of(const EllipseShape& ellipse, const Point& x) { return distance_to_ellipse(ellipse, x); }
+double distance_of(const HalfPlaneShape& half, const Point& x) { return std::abs(height_over(half, x)); }
+
+}  // namespace
+
+bool contains(const Shape& shape, const Point& x) {
+  return std::visit([&](const auto& s) { return contains_point(s, x); }, shape);
+}
+Bounds bounds(const Shape& shape) {
+  return std::visit([](const auto& s) { return bounds_of(s); }, shape);
+}
+double area(const Shape& shape) {
+  return std::visit([](const auto& s) { return area_of(s); }, shape);
+}
+std::vector<Point> outline(const Shape& shape, double spacing) {
+  return std::visit([&](const auto& s) { return outline_of(s, spacing); }, shape);
+}
+double perimeter(const Shape& shape) {
+  return std::visit([](const auto& s) { return perimeter_of(s); }, shape);
+}
+double distance_to_outline(const Shape& shape, const Point& x) {
+  return std::visit([&](const auto& s) { return distance_of(s, x); }, shape);
+}
+
+Bounds bounds_within(const Shape& shape, const Bounds& domain) {
+  const auto* half = std::get_if<HalfPlaneShape>(&shape);
+  if (!half) return bounds(shape);
+  const std::size_t dimension = domain.lower.size();
+  Bounds box{Point(dimension, kInfinity), Point(dimension, -kInfinity)};
+  const auto include = [&](const Point& x) {
+    for (std::size_t a = 0; a < dimension; ++a) {
+      box.lower[a] = std::min(box.lower[a], x[a]);
+      box.upper[a] = std::max(box.upper[a], x[a]);
+    }
+  };
+  // Its corners are those of the domain that lie inside, and the points where edges of the domain cross the boundary.
+  for (unsigned k = 0; k < 1u << dimension; ++k) {
+    Point corner = domain.lower;
+    for (std::size_t a = 0; a < dimension; ++a)
+      if ((k >> a & 1u) != 0) corner[a] = domain.upper[a];
+    if (height_over(*half, corner) <= 0) include(corner);
+    for (std::size_t a = 0; a < dimension; ++a) {
+      if ((k >> a & 1u) != 0) continue;
+      Point end = corner;
+      end[a] = domain.upper[a];
+      const double from = height_over(*half, corner), to = height_over(*half, end);
+      if ((from > 0) == (to > 0)) continue;
+      end[a] = corner[a] + (end[a] - corner[a]) * from / (from - to);
+      include(end);
+    }
+  }
+  return box;
+}
+
+std::optional<Point> outward_normal(const Shape& shape, const Point& from, const Point& to, double step) {
+  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const Point right{(to[1] - from[1]) / length, (from[0] - to[0]) / length};
+  const auto inside = [&](double off) {
+    return contains(shape, {0.5 * (from[0] + to[0]) + off * right[0], 0.5 * (from[1] + to[1]) + off * right[1]});
+  };
+  const bool on_right = inside(step), on_left = inside(-step);
+  if (on_right == on_left) return std::nullopt;
+  return on_left ? right : Point{-right[0], -right[1]};
+}
+
+}  // namespace geodrop

@@ -1,9 +1,0 @@
-// The kernels of 3D with four-node tetrahedra.
-#include "dispatch.hpp"
-
-namespace geodrop {
-
-GEODROP_KERNELS(3, Simplex)
-GEODROP_NODAL_KERNELS(3)
-
-}  // namespace geodrop

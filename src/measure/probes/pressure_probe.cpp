@@ -1,0 +1,47 @@
+#include "pressure_probe.hpp"
+
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/measure/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace geodrop {
+namespace {
+
+/// The lowest and the highest node of a membrane.
+template <int Dim>
+std::vector<Vec<Dim>> tips_of(const State<Dim>& state, const std::string& name) {
+  if (name.empty()) return {};
+  const Membrane<Dim>& membrane = find_named(state.membranes, name);
+  const Array<double>& height = membrane.x[vertical_axis<Dim>];
+  const auto [low, high] = std::minmax_element(height.begin(), height.end());
+  return {vector_at(membrane.x, low - height.begin()), vector_at(membrane.x, high - height.begin())};
+}
+
+}  // namespace
+
+template <int Dim>
+PressureSpread pressure_spread(const Scene& scene, const HydrostaticProbeSpec& probe, const State<Dim>& state) {
+  const Material material = make_material(*find_material(scene, probe.still.fluid));
+  const double gravity = -scene.gravity[vertical_axis<Dim>], near = 2 * finest_spacing(scene.grid), percent = 99.9;
+  const std::vector<Vec<Dim>> tips = tips_of(state, probe.tips_of);
+  const Body<Dim>& body = find_named(state.bodies, probe.body);
+  std::vector<double> elsewhere, at_tips;
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const Vec<Dim> x = vector_at(body.x, p);
+    const double depth = probe.still.surface - x[vertical_axis<Dim>];
+    const double error =
+        std::abs(mean_pressure(body, p) - still_pressure(std::get<Newtonian>(material), gravity, depth));
+    const bool tip = std::any_of(tips.begin(), tips.end(), [&](const Vec<Dim>& t) { return (x - t).norm() < near; });
+    (tip ? at_tips : elsewhere).push_back(error);
+  }
+  return {percentile(std::move(elsewhere), percent), percentile(std::move(at_tips), percent)};
+}
+
+template PressureSpread pressure_spread(const Scene&, const HydrostaticProbeSpec&, const State<2>&);
+template PressureSpread pressure_spread(const Scene&, const HydrostaticProbeSpec&, const State<3>&);
+
+}  // namespace geodrop

@@ -1,0 +1,141 @@
+// Checks of bodies: names, what they refer to, and what their material allows.
+#include "check_scene.hpp"
+#include "reader/key_table.hpp"
+
+#include "measure/probes/probes.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace geodrop {
+namespace {
+
+/// Names that head columns of history.csv share one name space.
+void check_owner_names(const Scene& scene, Report& report) {
+  std::map<std::string, std::string> owner;
+  for (const char* name : kWholeOwners) owner.emplace(name, "the columns about the whole scene");
+  const auto claim = [&](const std::string& name, const std::string& key) {
+    if (name.empty()) return;
+    const auto [place, is_new] = owner.emplace(name, key);
+    if (!is_new)
+      report.add(key + ".name", '"' + name + "\", already the name of " + place->second,
+                 "a name that no other body, membrane, rigid body or probe has");
+  };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) claim(scene.bodies[i].name, report.element("bodies", i));
+  for (std::size_t i = 0; i < scene.membranes.size(); ++i)
+    claim(scene.membranes[i].name, report.element("membranes", i));
+  for (std::size_t i = 0; i < scene.rigid.size(); ++i) claim(scene.rigid[i].name, report.element("rigid", i));
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    claim(std::visit([](const auto& probe) { return probe.name; }, scene.probes[i].probe), report.element("probes", i));
+  }
+}
+
+void check_minus(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  for (const std::string& cut : body.minus) {
+    if (cut == body.name) {
+      report.add(key + ".minus", '"' + cut + "\", the body itself", "names of other bodies");
+    } else {
+      check_reference(key + ".minus", cut, names_of(scene.bodies), "bodies", report);
+    }
+  }
+}
+
+void check_shift(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  if (body.shift && material && report.healthy("materials." + material->name + ".model") &&
+      !std::holds_alternative<NewtonianSpec>(material->model)) {
+    report.add(key + ".shift", "true for a body of \"" + body.material + '"',
+               "false, unless the material is newtonian");
+  }
+  // The gradient of the fill ratio jumps from element to element there: the jittered column blows up within a second.
+  if (body.shift && report.healthy("grid.basis") && is_simplex(scene.grid.basis))
+    report.add(key + ".shift", "true on a grid of simplices", "false, unless the basis is bspline2, gimp or linear");
+}
+
+bool is_neo_hookean(const Scene& scene, const BodySpec& body, const Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  return material && report.healthy("materials." + material->name + ".model") &&
+         std::holds_alternative<NeoHookeanSpec>(material->model);
+}
+
+/// An enclosed fluid fills its shape, and one closed membrane runs along the whole outline of that.
+void check_enclosed(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  if (body.pressure != PressureSupport::enclosed) return;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    report.add(key + ".pressure", "\"enclosed\" " + found, allowed);
+  };
+  const MaterialSpec* material = find_material(scene, body.material);
+  const bool fluid = !material || !report.healthy("materials." + material->name + ".model") ||
+                     std::holds_alternative<NewtonianSpec>(material->model);
+  const auto around = std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+    return membrane.body == body.name && membrane.closed && membrane.points.empty();
+  });
+  if (scene.dimension != 2)
+    refuse("in space", "cell or particle; enclosed is for dimension = 2");
+  else if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
+    refuse("on a grid whose cells are not knot spans of one size", "enclosed with basis = \"bspline2\" and no zones");
+  else if (!fluid)
+    refuse("for a body of \"" + body.material + '"', "enclosed with a newtonian material");
+  else if (around != 1 || !body.minus.empty())
+    refuse("with " + std::to_string(around) + " closed membranes on the whole outline" +
+               (body.minus.empty() ? "" : ", and with bodies cut out"),
+           "enclosed with one closed membrane without points, and without minus");
+  else if (scene.gravity[0] != 0)
+    refuse("with gravity " + to_text(scene.gravity), "enclosed with gravity along the vertical axis");
+}
+
+/// Enclosed fluids, silent sides and sharp interfaces move J towards that of a pressure, which cavities have none of.
+void check_cavities(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+  if (!fluid || !(fluid->tension_cutoff < fluid->bulk_modulus)) return;
+  const bool silent = std::any_of(scene.silent_sides.begin(), scene.silent_sides.end(),
+                                  [&](const SilentSideSpec& side) { return side.body == body.name; });
+  if (silent || has_sharp_interface(scene) || body.pressure == PressureSupport::enclosed)
+    report.add(key + ".material", '"' + body.material + "\", which has a tension_cutoff",
+               "a fluid without one, with an enclosed pressure, an absorbing layer or a sharp interface");
+}
+
+void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  if (!report.healthy("grid.basis") || !report.healthy(key + ".pressure")) return;
+  const bool simplex = is_simplex(scene.grid.basis);
+  // The volume of a neo-Hookean particle is det F, which cannot follow an averaged rate of volume.
+  if (body.pressure != PressureSupport::particle && is_neo_hookean(scene, body, report))
+    report.add(key + ".pressure",
+               '"' + word_of("bodies", "pressure", body.pressure) + "\" for a body of \"" + body.material + '"',
+               "\"particle\", as the material is neo_hookean");
+  else if (simplex && body.pressure == PressureSupport::cell)
+    report.add(key + ".pressure", "\"cell\" on a grid of simplices",
+               "nodal or particle (cells take their integrals from a basis that is a product over the axes)");
+  else if (!simplex && body.pressure == PressureSupport::nodal)
+    report.add(key + ".pressure", "\"nodal\" with another basis than tri3 or tet4", "cell or particle");
+}
+
+}  // namespace
+
+void check_velocity(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const auto* linear = std::get_if<LinearVelocitySpec>(&body.initial_velocity);
+  const std::size_t rows = scene.gravity.size();
+  if (linear && report.healthy("gravity") && report.healthy(key) && linear->gradient.size() != rows)
+    report.add(key + ".gradient", std::to_string(linear->gradient.size()) + " rows",
+               std::to_string(rows) + ", as many as the dimension");
+}
+
+void check_bodies(const Scene& scene, Report& report) {
+  check_owner_names(scene, report);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::string& key = report.element("bodies", i);
+    check_reference(key + ".material", scene.bodies[i].material, names_of(scene.materials), "materials", report);
+    check_minus(scene, scene.bodies[i], key, report);
+    check_shift(scene, scene.bodies[i], key, report);
+    check_pressure(scene, scene.bodies[i], key, report);
+    check_velocity(scene, scene.bodies[i], key + ".initial_velocity", report);
+    if (report.healthy(key) && report.healthy("materials") && report.healthy("membranes"))
+      check_cavities(scene, scene.bodies[i], key, report);
+    if (report.healthy("grid") && report.healthy("dimension") && report.healthy("gravity") &&
+        report.healthy("membranes") && report.healthy(key))
+      check_enclosed(scene, scene.bodies[i], key, report);
+  }
+}
+
+}  // namespace geodrop

@@ -1,0 +1,100 @@
+// Checks of rigid bodies and of what touches them.
+#include "check_scene.hpp"
+
+#include "contact/rigid_surface.hpp"
+
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace geodrop {
+namespace {
+
+void check_table(const TableMotionSpec& table, const std::string& key, Report& report) {
+  const bool rotation = table.displacements.empty();
+  const std::string listed = rotation ? ".angles_deg" : ".displacements";
+  const std::size_t values = rotation ? table.angles_deg.size() : table.displacements.size();
+  const bool ascending = std::is_sorted(table.times.begin(), table.times.end(), std::less_equal<>());
+  if (table.times.size() < 2 || !ascending)
+    report.add(key + ".times", to_text(table.times), "at least two times, each after the one before");
+  else if (values != table.times.size())
+    report.add(key + listed, std::to_string(values) + " values for " + std::to_string(table.times.size()) + " times",
+               "one value for each time");
+}
+
+void check_rigid(const RigidSpec& rigid, const std::string& key, Report& report) {
+  const auto* half = std::get_if<HalfPlaneShape>(&rigid.shape);
+  if (half && report.healthy(key + ".shape") && !shape_is_sound(*half))
+    report.add(key + ".shape.normal", to_text(half->normal), "a vector that is not zero");
+  const auto* table = std::get_if<TableMotionSpec>(&rigid.motion);
+  if (table && report.healthy(key + ".motion")) check_table(*table, key + ".motion", report);
+}
+
+/// Points of the outline of what touches, as drawn; none if that cannot be told.
+std::vector<Point> drawn_outline(const Scene& scene, const ContactPair& pair) {
+  const bool bare = pair.kind == ContactPair::Kind::body_on_rigid;
+  const MembraneSpec* membrane = bare ? nullptr : &find_named(scene.membranes, pair.touching);
+  if (membrane && !membrane->points.empty()) return membrane->points;
+  const BodySpec* body = find_body(scene, bare ? pair.touching : membrane->body);
+  if (!body || !shape_is_sound(body->shape) || std::holds_alternative<HalfPlaneShape>(body->shape)) return {};
+  constexpr double points_per_cell = 4;
+  return outline(body->shape, finest_spacing(scene.grid) / points_per_cell);
+}
+
+void check_start(const Scene& scene, const ContactPair& pair, const std::string& key, Report& report) {
+  constexpr double allowed_share = 0.1;  // of a cell
+  const double allowed = allowed_share * finest_spacing(scene.grid);
+  const RigidSurface surface(make_rigid_body(find_named(scene.rigid, pair.other), scene.grid));
+  double deepest = 0;
+  for (const Point& x : drawn_outline(scene, pair)) {
+    const auto gap = surface.gap(Vec<2>(x.data()), 0);
+    if (gap) deepest = std::max(deepest, -gap->size);
+  }
+  if (deepest > allowed)
+    report.add(key + ".between",
+               '"' + pair.touching + "\" up to " + to_text(deepest) + " m inside \"" + pair.other + '"',
+               "something that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
+}
+
+constexpr const char* who_may_touch =
+    "a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds";
+
+/// The pair of a contact with two names that are there.
+bool check_pair(const Scene& scene, const ContactSpec& contact, const std::string& key, Report& report) {
+  if (contact.between[0].empty()) {
+    report.add(key, "another number of names than two", who_may_touch);
+    return false;
+  }
+  std::vector<std::string> known = names_of(scene.membranes);
+  for (const auto& names : {names_of(scene.bodies), names_of(scene.rigid)})
+    known.insert(known.end(), names.begin(), names.end());
+  for (const std::string& name : contact.between)
+    if (!check_reference(key, name, known, "membranes, bodies or rigid", report)) return false;
+  if (contact_pair(scene, contact).kind != ContactPair::Kind::none) return true;
+  report.add(key, '"' + contact.between[0] + "\" and \"" + contact.between[1] + '"', who_may_touch);
+  return false;
+}
+
+}  // namespace
+
+void check_contacts(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.rigid.size(); ++i) check_rigid(scene.rigid[i], report.element("rigid", i), report);
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+    const ContactSpec& contact = scene.contacts[i];
+    const std::string& key = report.element("contacts", i);
+    if (!report.healthy(key + ".between") || !check_pair(scene, contact, key + ".between", report)) continue;
+    const ContactPair pair = contact_pair(scene, contact);
+    if (!pairs.insert(std::minmax(pair.touching, pair.other)).second)
+      report.add(key + ".between", "a pair that has a contact already", "each pair once");
+    if (pair.kind == ContactPair::Kind::membranes) continue;
+    const auto healthy = [&](const char* part) { return report.healthy(part); };
+    constexpr const char* needed[] = {"rigid", "membranes", "grid", "dimension", "bodies"};
+    if (std::all_of(std::begin(needed), std::end(needed), healthy)) check_start(scene, pair, key, report);
+  }
+}
+
+}  // namespace geodrop

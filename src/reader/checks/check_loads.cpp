@@ -1,0 +1,42 @@
+// Checks of what acts on membranes and fluids from outside: still fluids, pumps; and of relaxation.
+#include "check_scene.hpp"
+
+#include <geodrop/base/find_named.hpp>
+
+#include <algorithm>
+
+namespace geodrop {
+
+void check_still_fluids(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.still_fluids.size(); ++i) {
+    const StillFluidSpec& still = scene.still_fluids[i];
+    const std::string& key = report.element("still_fluids", i);
+    check_fluid(scene, key + ".fluid", still.fluid, report);
+    if (check_reference(key + ".membrane", still.membrane, names_of(scene.membranes), "membranes", report) &&
+        !find_named(scene.membranes, still.membrane).closed)
+      report.add(key + ".membrane", '"' + still.membrane + "\", which is open", "a closed membrane");
+    if (report.healthy("gravity") && report.healthy("dimension") && scene.gravity[0] != 0)
+      report.add(key + ".surface", "a level, with gravity " + to_text(scene.gravity),
+                 "still fluids with gravity along the vertical axis");
+  }
+}
+
+void check_relaxation(const Scene& scene, Report& report) {
+  const bool falls = std::any_of(scene.gravity.begin(), scene.gravity.end(), [](double g) { return g != 0; });
+  if (scene.relaxation.damping == RelaxationSpec::Damping::none || falls || !report.healthy("gravity")) return;
+  report.add("relaxation.damping", "\"kinetic\" without gravity",
+             "\"none\", or gravity: both ratios are relative to it");
+}
+
+void check_pumps(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.pumps.size(); ++i) {
+    const PumpSpec& pump = scene.pumps[i];
+    const std::string& key = report.element("pumps", i);
+    const bool known = check_reference(key + ".body", pump.body, names_of(scene.bodies), "bodies", report);
+    if (report.healthy(key + ".from") && report.healthy(key + ".to") && pump.to <= pump.from)
+      report.add(key + ".to", to_text(pump.to), "after from = " + to_text(pump.from) + " [s]");
+    if (known) check_fluid(scene, key + ".body", find_body(scene, pump.body)->material, report);
+  }
+}
+
+}  // namespace geodrop

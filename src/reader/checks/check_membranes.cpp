@@ -1,0 +1,132 @@
+// Checks of membranes: they lie on the outline of their body.
+#include "check_scene.hpp"
+
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
+
+#include <algorithm>
+
+namespace geodrop {
+namespace {
+
+void check_count(const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const std::size_t count = membrane.points.size();
+  const std::string found = std::to_string(count) + " points";
+  if (!membrane.closed && count < 2)
+    report.add(key + ".points", found, "at least 2 points of a membrane with closed = false");
+  if (membrane.closed && count > 0 && count < 3)
+    report.add(key + ".points", found, "none (the whole outline) or at least 3 points of a closed membrane");
+  check_legs(membrane.points, membrane.closed ? Outline::closed : Outline::open, key + ".points", report);
+}
+
+void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (!body || !shape_is_sound(body->shape)) return;
+  if (std::holds_alternative<HalfPlaneShape>(body->shape) && membrane.points.empty()) {
+    report.add(key + ".points", "no points",
+               "points on the boundary of \"" + membrane.body + "\": a half-plane has no closed outline");
+  }
+  const double tolerance = finest_spacing(scene.grid) / 10;
+  for (const Point& point : membrane.points) {
+    const double distance = distance_to_outline(body->shape, point);
+    if (distance <= tolerance) continue;
+    report.add(
+        key + ".points", "the point " + to_text(point) + ", which is " + to_text(distance) + " m off",
+        "points within a tenth of a cell, " + to_text(tolerance) + " m, of the outline of \"" + membrane.body + '"');
+    return;
+  }
+}
+
+void check_strength(const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.strength > 0 || membrane.axial_stiffness == 0 || !report.healthy(key + ".strength")) return;
+  report.add(key + ".strength", "no strength of a membrane with axial_stiffness = " + to_text(membrane.axial_stiffness),
+             "a number > 0 [N/m]");
+}
+
+/// The running mean of a closed membrane is over 2 w + 1 different segments.
+void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (!membrane.closed || !body || !report.healthy(key) || !report.healthy("bodies")) return;
+  const Shape drawn = membrane.points.empty() ? body->shape : Shape{PolygonShape{membrane.points}};
+  const std::size_t segments = outline(drawn, finest_spacing(scene.grid) / membrane.segments_per_cell).size();
+  const std::size_t most = (segments - 1) / 2;
+  if (static_cast<std::size_t>(membrane.averaging_segments) <= most) return;
+  report.add(key + ".averaging_segments", std::to_string(membrane.averaging_segments),
+             "at most " + std::to_string(most) + " on a closed membrane of " + std::to_string(segments) +
+                 " segments: the mean is over 2 averaging_segments + 1 of them");
+}
+
+/// Friction needs a bed, and a bed a membrane that slips on it.
+void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (!report.healthy(key + ".interface") || !report.healthy(key + ".bed_friction")) return;
+  if (membrane.bed.empty() && membrane.bed_friction > 0)
+    report.add(key + ".bed_friction", to_text(membrane.bed_friction) + " without a bed", "bed_friction with bed only");
+  if (membrane.bed.empty()) return;
+  if (membrane.interface != Interface::sharp)
+    report.add(key + ".bed", '"' + membrane.bed + "\" of a membrane that sticks to what is around",
+               "bed with interface = \"sharp\" only");
+  else
+    check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
+}
+
+/// A wall law and a drag coefficient need the density of a fluid.
+void check_fluid_around(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.interface != Interface::sharp || !report.healthy("bodies") || !report.healthy("materials")) return;
+  if (fluid_around(scene)) return;
+  const std::string allowed = "it where a body of newtonian material is around";
+  if (membrane.shear == Shear::wall_law) report.add(key + ".shear", "\"wall_law\" without a fluid around", allowed);
+  if (membrane.drag_coefficient > 0)
+    report.add(key + ".drag_coefficient", to_text(membrane.drag_coefficient) + " without a fluid around", allowed);
+}
+
+/// Both sides of a sharp interface have pressures of cells, and cells are knot spans.
+void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
+    return;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    report.add(key + ".interface", "\"sharp\" " + found, allowed);
+  };
+  const auto sharp = [&](const std::string& body) {
+    return std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& other) {
+      return other.body == body && other.interface == Interface::sharp;
+    });
+  };
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (scene.grid.basis != Basis::bspline2)
+    refuse("on a grid whose cells are not knot spans", "sharp with basis = \"bspline2\"");
+  else if (scene.solver.transfer == Transfer::musl)
+    refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
+  else if (!membrane.closed)
+    refuse("on an open membrane", "sharp with closed = true");
+  else if (sharp(membrane.body) > 1)
+    refuse("on a second membrane of \"" + membrane.body + '"', "one sharp membrane for each body");
+  else if (body && body->pressure != PressureSupport::cell)
+    refuse("around a body whose pressure is not that of cells",
+           "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
+  else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
+             return sharp(other.name) == 0 && other.pressure == PressureSupport::cell;
+           }))
+    refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
+}
+
+}  // namespace
+
+void check_membranes(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.membranes.size(); ++i) {
+    const MembraneSpec& membrane = scene.membranes[i];
+    const std::string& key = report.element("membranes", i);
+    const bool known = check_reference(key + ".body", membrane.body, names_of(scene.bodies), "bodies", report);
+    if (!report.healthy(key + ".points") || !report.healthy(key + ".closed") || !report.healthy("dimension")) continue;
+    check_count(membrane, key, report);
+    check_strength(membrane, key, report);
+    if (!known || !report.healthy("grid")) continue;
+    check_on_outline(scene, membrane, key, report);
+    check_averaging(scene, membrane, key, report);
+    check_bed(scene, membrane, key, report);
+    check_fluid_around(scene, membrane, key, report);
+    if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
+  }
+}
+
+}  // namespace geodrop

@@ -1,0 +1,69 @@
+// What bodies start from: velocity, stress, and the exact solutions that they may follow.
+#include "sections.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
+
+}  // namespace
+
+// clang-format off
+SectionOf<InitialVelocity> initial_velocity_section() {
+  constexpr RowsOf<InitialVelocity> key;
+  return {
+      "initial_velocity of a body", "",
+      "An inline table; `type` says which keys it has.", {
+      key("type", itself<InitialVelocity>, {{"rest", UniformVelocitySpec{}}, {"uniform", UniformVelocitySpec{}}, {"bar_first_mode", BarFirstModeSpec{}}, {"linear", LinearVelocitySpec{}}, {"exact", FromExactSpec{}}}, required, "which field; linear: v = gradient (x - centre); exact: of the solution that the body follows"),
+      key("value", &UniformVelocitySpec::value, "m/s", required, any, "velocity of all particles").only("type=uniform"),
+      key("amplitude", &BarFirstModeSpec::amplitude, "m/s", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))").only("type=bar_first_mode"),
+      key("gradient", &LinearVelocitySpec::gradient, "1/s", required, any, "as many rows as dimension, dv_a/dx_b").only("type=linear"),
+      key("centre", &LinearVelocitySpec::centre, "m", required, any, "where the velocity is 0").only("type=linear"),
+      key("axis", &BarFirstModeSpec::axis, {{"x", 0}, {"y", 1}}, required, "along the bar").only("type=bar_first_mode").in(2),
+      key("axis", &BarFirstModeSpec::axis, {{"x", 0}, {"y", 1}, {"z", 2}}, required, "along the bar").only("type=bar_first_mode").in(3),
+      key("length", &BarFirstModeSpec::length, "m", required, positive, "of the bar, which is fixed at coordinate 0").only("type=bar_first_mode"),
+  }};
+}
+
+SectionOf<InitialStress> initial_stress_section() {
+  constexpr RowsOf<InitialStress> key;
+  return {
+      "initial_stress of a body", "",
+      "An inline table; `type` says which keys it has.", {
+      key("type", itself<InitialStress>, {{"zero", ZeroStressSpec{}}, {"hydrostatic", HydrostaticSpec{}}, {"k0", K0StressSpec{}}, {"fluid_pressure", FluidPressureSpec{}}, {"exact", FromExactSpec{}}}, required, "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around, in drained soil as effective stress; exact: of the solution that the body follows"),
+      key("fluid", Either(&HydrostaticSpec::fluid, [](FluidPressureSpec& around, const std::string& name) { around.fluid.fluid = name; }), required, reference, "the newtonian material of the still fluid").only("type=hydrostatic|fluid_pressure"),
+      key("surface", Either(&HydrostaticSpec::surface, [](FluidPressureSpec& around, double level) { around.fluid.surface = level; }), "m", required, any, "level of the fluid's free surface").only("type=hydrostatic|fluid_pressure"),
+      key("surface", &K0StressSpec::surface, "m", required, any, "level of the soil's surface").only("type=k0"),
+      key("k0", &K0StressSpec::k0, "", required, not_negative, "horizontal over vertical effective stress").only("type=k0"),
+      key("under", &K0StressSpec::fluid, {{"air", std::nullopt}, {"fluid", HydrostaticSpec{}}}, required, "what lies on the soil").only("type=k0"),
+      key("fluid", [](K0StressSpec& soil, const std::string& name) { soil.fluid->fluid = name; }, required, reference, "the newtonian material over the soil and in its pores").only("under=fluid"),
+      key("fluid_surface", [](K0StressSpec& soil, double level) { soil.fluid->surface = level; }, "m", required, any, "level of the fluid's free surface").only("under=fluid"),
+  }};
+}
+
+SectionOf<ExactSpec> exact_section() {
+  constexpr RowsOf<ExactSpec, &ExactSpec::solution> key;
+  return {
+      "[[exact]]", "body",
+      "Exact solutions that bodies follow; the formulas stand in include/geodrop/solutions/exact.hpp. `axis_aligned_mms`, "
+      "`generalized_vortex` and `oscillating_drop` come with the body force that they need.", {
+      key("body", &ExactSpec::body, required, reference, "the body that follows the solution"),
+      key("type", &ExactSpec::solution, {{"axis_aligned_mms", AxisAlignedMmsSpec{}}, {"taylor_green", TaylorGreenSpec{}}, {"uniform_motion", UniformMotionSpec{}}, {"bar_first_mode", BarFirstModeSpec{}}, {"generalized_vortex", GeneralizedVortexSpec{}}, {"oscillating_drop", OscillatingDropSpec{}}}, required, "axis_aligned_mms: a neo-Hookean block that swings along each axis; generalized_vortex: a neo-Hookean one with a ring that turns to and fro; taylor_green: decaying vortices of water; oscillating_drop: a round drop of water about the origin that a central force draws together (2D); uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"),
+      key("amplitude", &AxisAlignedMmsSpec::amplitude, "m", required, positive, "A of u = A sin(2 pi X / length); 2 pi A / length is below 1").only("type=axis_aligned_mms"),
+      key("amplitude", &BarFirstModeSpec::amplitude, "m/s", required, not_zero, "velocity of the free end").only("type=bar_first_mode"),
+      key("speed", &TaylorGreenSpec::speed, "m/s", required, positive, "U of u = U sin(2 pi x / length) cos(2 pi y / length)").only("type=taylor_green"),
+      key("length", Either(&AxisAlignedMmsSpec::length, &TaylorGreenSpec::length, &BarFirstModeSpec::length), "m", required, positive, "of a wave; of the bar").only("type=axis_aligned_mms|taylor_green|bar_first_mode"),
+      key("angle", &GeneralizedVortexSpec::angle, "rad", required, positive, "G, by which the ring turns at most: alpha = G sin(frequency t) (1 - s^2)^2, s = (R - radius) / half_width, about the origin").only("type=generalized_vortex"),
+      key("radius", Either(&GeneralizedVortexSpec::radius, &OscillatingDropSpec::radius), "m", required, positive, "of the circle that turns most; of the drop").only("type=generalized_vortex|oscillating_drop"),
+      key("half_width", &GeneralizedVortexSpec::half_width, "m", required, positive, "of the ring; less than radius").only("type=generalized_vortex"),
+      key("frequency", Either(&GeneralizedVortexSpec::frequency, &OscillatingDropSpec::frequency), "rad/s", required, positive, "angular frequency of the swing; B of the force -B^2 x per mass").only("type=generalized_vortex|oscillating_drop"),
+      key("rate", &OscillatingDropSpec::rate, "1/s", required, not_zero, "A0 of the velocity A0 (x, -y) at the start").only("type=oscillating_drop"),
+      key("axis", &BarFirstModeSpec::axis, {{"x", 0}, {"y", 1}}, required, "along the bar").only("type=bar_first_mode").in(2),
+      key("axis", &BarFirstModeSpec::axis, {{"x", 0}, {"y", 1}, {"z", 2}}, required, "along the bar").only("type=bar_first_mode").in(3),
+      key("velocity", &UniformMotionSpec::velocity, "m/s", required, any, "of the drift").only("type=uniform_motion"),
+      key("stretch", &UniformMotionSpec::stretch, "", required, positive, "present over unstrained length along each axis; the body's shape, a box, is the stretched one, and the lattice of its particles is stretched with it").only("type=uniform_motion"),
+  }};
+}
+// clang-format on
+
+}  // namespace geodrop

@@ -1,0 +1,61 @@
+#include "energy_watch.hpp"
+
+#include <geodrop/base/error.hpp>
+#include <geodrop/measure/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/text.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Done so far by the motion of rigid bodies on what touches them [J].
+template <int Dim>
+double driving_work(const State<Dim>& state) {
+  double work = 0;
+  for (const RigidContact<Dim>& contact : state.rigid_contacts) work += contact.driving_work;
+  return work;
+}
+
+[[noreturn]] void stop(double held, double budget, double t_before) {
+  const std::string holds = std::isfinite(held) ? "hold " + format_number(held, 4) + " J" : "hold more than any number";
+  throw RunError("energy grows without cause: motion and strain " + holds +
+                 ", but the start, gravity and moving bodies gave " + format_number(budget, 4) +
+                 " J; in order until t = " + format_number(t_before, 6) +
+                 " s, frames up to then are good. A smaller solver.courant, solver.transfer tpic or a larger "
+                 "solver.blend_rate may cure it");
+}
+
+}  // namespace
+
+bool watches_energy(const Scene& scene) {
+  for (int a = 0; a < scene.dimension; ++a)
+    if (scene.walls.lower[a] == WallKind::periodic && scene.gravity[a] != 0) return false;
+  return scene.pumps.empty() && scene.still_fluids.empty() && scene.viscous_boundaries.empty() &&
+         scene.silent_sides.empty();
+}
+
+template <int Dim>
+void watch_energy(const Point& gravity, double h, const StepContext& step, State<Dim>& state) {
+  if (step.step % energy_watch_interval != 0) return;
+  EnergyBudget& budget = state.energy_budget;
+  const Totals<Dim> totals = measure(state, gravity);
+  const double held = totals.energy() - totals.potential, driven = driving_work(state), t = step.t + step.dt;
+  if (!budget.begun || budget.stages != state.stages_entered)
+    budget = {true, state.stages_entered, t, held, totals.potential, 0, driven};
+  budget.fallen = std::max(budget.fallen, budget.potential - totals.potential);
+  const double g = std::sqrt(std::inner_product(gravity.begin(), gravity.end(), gravity.begin(), 0.0));
+  const double lift = 0.1 * totals.mass * g * h;
+  const double rest = 0.5 * totals.mass * std::pow(1e-6 * h / step.dt, 2);
+  const double given = budget.held + budget.fallen + std::max(0.0, driven - budget.driven) + lift + rest;
+  if (!(held <= energy_watch_limit * given)) stop(held, given, budget.t);
+  budget.t = t;
+}
+
+template void watch_energy(const Point&, double, const StepContext&, State<2>&);
+template void watch_energy(const Point&, double, const StepContext&, State<3>&);
+
+}  // namespace geodrop

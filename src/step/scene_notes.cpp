@@ -1,0 +1,82 @@
+// What is no mistake in a scene, but what its results must not be believed without.
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/step/run.hpp>
+
+#include "solutions/initial_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+
+namespace geodrop {
+namespace {
+
+/// The still fluid around a body at the start, if its stress, a still fluid or a body of fluid around it tells of one.
+std::optional<HydrostaticSpec> fluid_around(const Scene& scene, const BodySpec& body) {
+  if (const auto* still = std::get_if<HydrostaticSpec>(&body.initial_stress)) return *still;
+  if (const auto* around = std::get_if<FluidPressureSpec>(&body.initial_stress)) return around->fluid;
+  if (const auto* soil = std::get_if<K0StressSpec>(&body.initial_stress); soil && soil->fluid) return soil->fluid;
+  for (const StillFluidSpec& still : scene.still_fluids)
+    for (const MembraneSpec& membrane : scene.membranes)
+      if (membrane.name == still.membrane && membrane.body == body.name)
+        return HydrostaticSpec{still.fluid, still.surface};
+  for (const BodySpec& other : scene.bodies) {
+    const bool cut_out = std::find(other.minus.begin(), other.minus.end(), body.name) != other.minus.end();
+    const auto* still = std::get_if<HydrostaticSpec>(&other.initial_stress);
+    if (cut_out && still) return *still;
+  }
+  return std::nullopt;
+}
+
+/// A body of fluid that no membrane encloses, where soil may get; null if there is none.
+const BodySpec* open_fluid(const Scene& scene) {
+  for (const BodySpec& body : scene.bodies) {
+    const bool enclosed = std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                                      [&](const MembraneSpec& membrane) { return membrane.body == body.name; });
+    if (!enclosed && std::holds_alternative<NewtonianSpec>(find_material(scene, body.material)->model)) return &body;
+  }
+  return nullptr;
+}
+
+/// Drained soil under water has no pore water that would carry the water's pressure: its skeleton does.
+std::string drained_under_water(const Scene& scene, const BodySpec& body) {
+  const auto* soil = std::get_if<MohrCoulombSpec>(&find_material(scene, body.material)->model);
+  if (!soil || soil->undrained) return {};
+  const std::optional<HydrostaticSpec> fluid = fluid_around(scene, body);
+  const BodySpec* open = open_fluid(scene);
+  const std::string drained =
+      "body \"" + body.name + "\" is drained: without pore water its effective stress includes ";
+  char more[200];
+  const double tangent = std::tan(soil->friction_angle_deg * std::numbers::pi / 180);
+  const auto finish = [&](const char* format, auto... numbers) {
+    std::snprintf(more, sizeof more, format, numbers...);
+    return drained + more;
+  };
+  if (!fluid && open)
+    return finish(
+        "the pressure of \"%s\" wherever it gets into it; its shear strength is higher by %.3g (tan phi) of that",
+        open->name.c_str(), tangent);
+  if (!fluid) return {};
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  const double lowest = still_fluid_pressure(scene, *fluid, box.lower.back()) / 1e3;
+  const double highest = still_fluid_pressure(scene, *fluid, box.upper.back()) / 1e3;
+  if (lowest <= 0) return {};
+  return finish(
+      "the pressure of the \"%s\" around, %.3g kPa at its highest and %.3g kPa at its lowest point at the start; its "
+      "shear "
+      "strength is higher by %.3g (tan phi) of that",
+      fluid->fluid.c_str(), highest, lowest, tangent);
+}
+
+}  // namespace
+
+std::vector<std::string> scene_notes(const Scene& scene) {
+  std::vector<std::string> notes = scene.notes;
+  for (const BodySpec& body : scene.bodies)
+    if (const std::string note = drained_under_water(scene, body); !note.empty()) notes.push_back(note);
+  return notes;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,149 @@
+#include "stable_dt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <geodrop/base/error.hpp>
+#include <geodrop/base/find_named.hpp>
+#include <limits>
+#include <sstream>
+
+#include "contact/surface_contact.hpp"
+#include "materials/neo_hookean.hpp"
+#include "materials/strain.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Density of the material that a membrane's mass and stiffness share a node with [kg/m3].
+template <int Dim>
+double density_beside(const State<Dim>& state, const Membrane<Dim>& membrane) {
+  for (const Body<Dim>& body : state.bodies)
+    if (body.name == membrane.body) return reference_density(body.material);
+  return 0;
+}
+
+/// Of compression waves [m2/s2]. A neo-Hookean solid stiffens where it is stretched or squeezed, hence the present
+/// strain of every particle counts; a NaN is left to v_max, which shows it a step later.
+template <int Dim>
+double wave_speed_squared(const Body<Dim>& body) {
+  double c2 = std::pow(wave_speed(body.material), 2);
+  const auto* solid = std::get_if<NeoHookean>(&body.material);
+  if (!solid) return c2;
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+  double modulus = 0;
+#pragma omp parallel for schedule(static) reduction(max : modulus)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    std::array<double, Dim * Dim> F;
+    for (int c = 0; c < Dim * Dim; ++c) F[c] = body.deformation[c][p];
+    modulus = std::max(modulus, neo_hookean_wave_modulus<Dim>(*solid, F, body.J[p]));
+  }
+  return std::max(c2, modulus / solid->density);
+}
+
+/// The largest [m2/s]. Eddies of a mixing length l mix with at most l sqrt(tau / rho), tau the shear stress of the step
+/// before.
+template <int Dim>
+double viscosity_in(const Body<Dim>& body) {
+  const double laminar = kinematic_viscosity(body.material);
+  const auto* fluid = std::get_if<Newtonian>(&body.material);
+  if (!fluid || fluid->mixing_length == 0) return laminar;
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+  double square = 0;
+#pragma omp parallel for schedule(static) reduction(max : square)
+  for (std::ptrdiff_t p = 0; p < n; ++p) {
+    Stress<Dim, double> s;
+    for (int c = 0; c < stress_components<Dim>; ++c) s[c] = body.stress[c][p];
+    square = std::max(square, 0.5 * norm_squared<Dim, double>(s));
+  }
+  return laminar + fluid->mixing_length * std::sqrt(std::sqrt(square) / fluid->density);
+}
+
+/// A mass-proportional damping beta leaves (2/omega)(sqrt(1 + xi^2) - xi) of the step, xi = beta / (2 omega).
+double damped(double dt, double rate) {
+  const double xi = rate * dt / 4;
+  constexpr double square_is_all = 1e8;  // 1 is beyond the last digit of xi^2, and the difference would cancel
+  return xi < square_is_all ? dt * (std::sqrt(1 + xi * xi) - xi) : dt / (2 * xi);
+}
+
+/// Largest step that penalties allow: k dt^2 / (rho h) = stiffness (c dt / h)^2 <= 1/2, and of their damping
+/// z dt / (rho h) = damping c dt / h <= 1/2.
+template <int Dim>
+double contact_dt(const State<Dim>& state, double h) {
+  constexpr double most = 0.5;  // of springs on mass that moves with its cell; beyond it contact gains energy
+  double dt = std::numeric_limits<double>::infinity();
+  const auto limit = [&](const auto& contact, double mass) {
+    dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
+  };
+  for (const RigidContact<Dim>& contact : state.rigid_contacts)
+    limit(contact, reference_density(touching_body(state, contact).material) * h);
+  for (const MembraneContact& contact : state.membrane_contacts) {
+    double of_both = 0;  // 1 / m + 1 / m, as two bodies on one spring have it
+    for (const std::string& name : contact.between)
+      of_both += 1 / (density_beside(state, find_named(state.membranes, name)) * h);
+    limit(contact, 1 / of_both);
+  }
+  return dt;
+}
+
+/// Largest speed of capsules that something may touch [m/s]; a half-plane that turns has no largest one.
+template <int Dim>
+double surface_speed(const State<Dim>& state) {
+  double speed = 0;
+  if constexpr (Dim == 2)
+    for (const RigidBody<2>& body : state.rigid)
+      if (body.present) speed = std::max(speed, RigidSurface(body).speed());
+  return speed;
+}
+
+/// Says where the first velocity is that is not finite.
+template <int Dim>
+[[noreturn]] void throw_not_finite(const State<Dim>& state) {
+  std::ostringstream text;
+  text << "a velocity is not finite after step " << state.step << ", t = " << state.t << " s";
+  const auto broken = [](const Body<Dim>& body, std::size_t p) {
+    return std::any_of(body.v.begin(), body.v.end(), [&](const auto& v) { return !std::isfinite(v[p]); });
+  };
+  for (const Body<Dim>& body : state.bodies)
+    for (std::size_t p = 0; p < body.size(); ++p)
+      if (broken(body, p)) {
+        text << ": body '" << body.name << "', particle id " << body.id[p] << " (J = " << body.J[p] << ", x =";
+        for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
+        text << ')';
+        throw RunError(text.str() + "; the last frame is kept");
+      }
+  throw RunError(text.str() + "; the last frame is kept");
+}
+
+}  // namespace
+
+/// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h), waves in body and membrane in one sum (safe);
+/// viscosity: C times h^2 / (2 d nu), the limit of an explicit step (safe); h is the finest cell's.
+template <int Dim>
+double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLayout<Dim>& layout) {
+  if (!std::isfinite(state.v_max)) throw_not_finite(state);
+  double c2 = 0, membrane2 = 0, nu = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    c2 = std::max(c2, wave_speed_squared(body));
+    nu = std::max(nu, viscosity_in(body));
+  }
+  for (const Membrane<Dim>& membrane : state.membranes)
+    membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));
+  double dt =
+      limits.courant * layout.finest / (std::sqrt(c2 + membrane2) + std::max(state.v_max, surface_speed(state)));
+  dt = std::min(dt, contact_dt(state, layout.finest));
+  if (nu > 0) dt = std::min(dt, limits.courant * layout.finest * layout.finest / (2 * Dim * nu));
+  dt = damped(dt, state.damping_rate);
+  constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
+  if (dt < smallest_share * limits.end) {
+    std::ostringstream text;
+    text << "the time step collapsed: at " << dt << " s more than 1e12 steps are needed to time.end = " << limits.end
+         << " s (step " << state.step << ", t = " << state.t << " s, |v|max = " << state.v_max << " m/s)";
+    throw RunError(text.str());
+  }
+  return dt;
+}
+
+template double stable_dt(const StepLimits&, const State<2>&, const GridLayout<2>&);
+template double stable_dt(const StepLimits&, const State<3>&, const GridLayout<3>&);
+
+}  // namespace geodrop

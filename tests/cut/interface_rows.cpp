@@ -1,0 +1,224 @@
+// The rows of the constraint at sharp interfaces, by hand: stretches, line integrals, walls, light nodes, impulses.
+#include "cut/interface_rows.hpp"
+
+#include <doctest/doctest.h>
+
+#include "cut/cut_cells.hpp"
+#include "support/near.hpp"
+#include "support/sharp_box.hpp"
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+SharpBox full(const Corners& at = {}, Sense sense = Sense::anticlockwise) {
+  SharpBox box(at, sense);
+  box.fill_cells();
+  return box;
+}
+
+std::vector<Stretch> stretches_of(SharpBox& box) {
+  return wet_stretches(box.around(), box.skin(), box.inside().outline);
+}
+
+/// Lengths and pieces of all stretches.
+std::pair<double, std::size_t> sums(const std::vector<Stretch>& stretches) {
+  std::pair<double, std::size_t> sum{0, 0};
+  for (const Stretch& stretch : stretches) sum = {sum.first + stretch.length, sum.second + stretch.count};
+  return sum;
+}
+
+/// Sum of the entries of a row times the root of the masses that they were divided by, by field: of vectors, x and y.
+std::array<std::array<double, 2>, 2> impulses(const Rows& rows) {
+  const SparseRows E = rows.matrix();
+  std::array<std::array<double, 2>, 2> sum{};
+  for (SparseRows::InnerIterator entry(E, 0); entry; ++entry) {
+    const Columns::Place& place = rows.columns().places()[entry.col() / 2];
+    sum[place.field][entry.col() % 2] += entry.value() * place.root_mass;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("Stretches run from cell to cell, all round a wet outline") {
+  for (const Sense sense : {Sense::anticlockwise, Sense::clockwise}) {
+    SharpBox box = full({}, sense);
+    const std::vector<Stretch> stretches = stretches_of(box);
+    CHECK(stretches.size() == 12);  // cells 3 to 6 along both axes, but for the four in the midst
+    CHECK(sums(stretches).first == near(2 * (3.05 + 3.5), 1e-13));
+    CHECK(sums(stretches).second == box.inside().outline.pieces.size());
+    for (const Stretch& stretch : stretches) CHECK(stretch.length > 0.9);
+  }
+}
+
+TEST_CASE("Where nothing is beside a membrane there is no stretch") {
+  SharpBox box = full();
+  Grid<2>& around = box.around();
+  for (int j = 0; j <= box_cells; ++j)  // water up to y = 4.5
+    for (int i = 0; i <= box_cells; ++i)
+      if (j > 4) around.cell_volume[box.flat(i, j)] = 0;
+  const std::vector<Stretch> stretches = stretches_of(box);
+  CHECK_FALSE(stretches.empty());
+  for (const Stretch& stretch : stretches)
+    for_each_piece(box.inside().outline, stretch, [&](const CutCells::Piece& piece) {
+      CHECK(piece.cell / box.inside().outline.count[0] + box.inside().outline.first[1] - 2 <= 5);
+    });
+  std::fill(around.cell_volume.begin(), around.cell_volume.end(), 0.0);
+  CHECK(stretches_of(box).empty());
+}
+
+TEST_CASE("A stretch shorter than a quarter of a cell joins its neighbour") {
+  for (const double tip : {5.55, 5.75}) {  // 0.05 and 0.25 m beyond the face of the cells
+    CAPTURE(tip);
+    SharpBox box;
+    box.draw({{3, 3.2}, {tip, 4}, {3, 4.8}});
+    cut_interface_cells(box.state, box.grids);
+    box.fill_cells();
+    const std::vector<Stretch> stretches = stretches_of(box);
+    const CutCells& cells = box.inside().outline;
+    double perimeter = 0, in_tip = 0;
+    for (const CutCells::Piece& piece : cells.pieces) {
+      perimeter += length_of(box.skin(), piece);
+      if (flat_of(box.around().layout, cells, piece.cell) == box.flat(6, 4)) in_tip += length_of(box.skin(), piece);
+    }
+    CHECK(in_tip == near(2 * (tip - 5.5) * std::hypot(tip - 3, 0.8) / (tip - 3), 1e-12));
+    CHECK(sums(stretches).first == near(perimeter, 1e-13));
+    int alone = 0;
+    for (const Stretch& stretch : stretches) alone += std::abs(stretch.length - in_tip) < 1e-12;
+    CHECK(alone == (in_tip < 0.25 ? 0 : 1));
+  }
+}
+
+TEST_CASE("Line integrals of N n add up to the normals of a stretch, those of N t to these turned anticlockwise") {
+  for (const Sense sense : {Sense::anticlockwise, Sense::clockwise}) {
+    SharpBox box = full({}, sense);
+    const CutCells& cells = box.inside().outline;
+    for (const Stretch& stretch : stretches_of(box)) {
+      std::array<double, 2> normal{}, n{}, t{};
+      for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
+        const Vec<2> from = vector_at(box.skin().x, piece.edge);
+        const Vec<2> d = vector_at(box.skin().x, (piece.edge + 1) % box.skin().nodes()) - from;
+        const double sign = sense == Sense::anticlockwise ? 1 : -1, part = piece.to - piece.from;
+        normal[0] += sign * part * d[1];
+        normal[1] -= sign * part * d[0];
+      });
+      const auto integrals = [&](Direction direction) {
+        return line_integrals(box.around().layout, box.skin(), cells, stretch, direction);
+      };
+      for (const NodeVector& vector : integrals(Direction::normal))
+        for (int a = 0; a < 2; ++a) n[a] += vector.value[a];
+      for (const NodeVector& vector : integrals(Direction::tangent))
+        for (int a = 0; a < 2; ++a) t[a] += vector.value[a];
+      for (int a = 0; a < 2; ++a) CHECK(n[a] == within(normal[a], 1e-14));
+      CHECK(t[0] == within(-normal[1], 1e-14));
+      CHECK(t[1] == within(normal[0], 1e-14));
+    }
+  }
+}
+
+TEST_CASE("Walls hold the normal component of their nodes, no-slip walls both") {
+  for (const WallKind wall : {WallKind::slip, WallKind::no_slip}) {
+    SharpBox box({}, Sense::anticlockwise, wall);
+    for (Grid<2>& grid : box.grids) box.set_mass(grid, 4.0);
+    Columns columns(box.grids);
+    const bool sticks = wall == WallKind::no_slip;
+    struct Node {
+      int i, j;
+      std::array<bool, 2> fixed;
+    };
+    const int last = box_cells;
+    for (const Node& node : {Node{5, 5, {false, false}}, Node{0, 5, {true, sticks}}, Node{last, 5, {true, sticks}},
+                             Node{5, 0, {sticks, true}}, Node{5, last, {sticks, true}}, Node{0, 0, {true, true}},
+                             Node{1, last - 1, {false, false}}}) {
+      CAPTURE(node.i);
+      CAPTURE(node.j);
+      const int number = columns.of(1, box.flat(node.i, node.j));
+      const Columns::Place& place = columns.places()[number / 2];
+      CHECK(place.fixed == node.fixed);
+      CHECK(place.root_mass == 2.0);
+      CHECK(place.field == 1);
+      CHECK(place.node == box.flat(node.i, node.j));
+      CHECK(columns.of(1, box.flat(node.i, node.j)) == number);
+    }
+    CHECK(columns.places().size() == 7);
+    CHECK(columns.of(0, box.flat(5, 5)) == 14);  // another field, another column
+  }
+}
+
+TEST_CASE("A row adds up one field's vectors over the roots of the masses and takes off the other's") {
+  SharpBox box;
+  box.set_mass(box.inside(), 4e3);
+  box.set_mass(box.around(), 9e3);
+  Rows rows(box.grids);
+  REQUIRE(rows.add(1, 0, {{box.flat(5, 5), {0.5, 0}}, {box.flat(5, 6), {0.25, -1}}}));
+  const Eigen::MatrixXd E = rows.matrix();
+  REQUIRE(E.rows() == 1);
+  REQUIRE(E.cols() == 8);
+  const double inside = std::sqrt(4e3), around = std::sqrt(9e3);
+  const double expected[] = {0.5 / inside, 0, 0.25 / inside, -1 / inside, -0.5 / around, 0, -0.25 / around, 1 / around};
+  for (int c = 0; c < 8; ++c) CHECK(E(0, c) == within(expected[c], 1e-16));
+  box.inside().velocity[box.flat(5, 6)] = Vec4{3, 2, 0, 0};
+  const Eigen::VectorXd scaled = rows.scaled_velocities();
+  CHECK(scaled[2] == near(3 * inside, 1e-14));
+  CHECK(scaled[3] == near(2 * inside, 1e-14));
+  CHECK(scaled[4] == 0);
+}
+
+TEST_CASE("A light node keeps its share of a vector and hands on the rest by mass; nothing is lost") {
+  SharpBox box;
+  for (Grid<2>& grid : box.grids) box.set_mass(grid, 1000);
+  const double light = 20;  // 2 % of a full node
+  REQUIRE(box.inside().light_mass == near(light, 1e-12));
+  for (const double mass : {5.0, 0.0}) {
+    CAPTURE(mass);
+    box.inside().sum[box.flat(5, 5)][3] = mass;
+    Rows rows(box.grids);
+    REQUIRE(rows.add(1, 0, {{box.flat(5, 5), {0.6, -0.3}}}));
+    const auto sum = impulses(rows);
+    CHECK(sum[1][0] == near(0.6, 1e-13));
+    CHECK(sum[1][1] == near(-0.3, 1e-13));
+    CHECK(sum[0][0] == near(-0.6, 1e-13));
+    const Eigen::MatrixXd E = rows.matrix();
+    for (std::size_t n = 0; n < rows.columns().places().size(); ++n) {
+      const Columns::Place& place = rows.columns().places()[n];
+      if (place.field != 1) continue;
+      const double kept = mass / light, spread = (1 - kept) * place.root_mass * place.root_mass / (8000 + mass);
+      const double share = spread + (place.node == box.flat(5, 5) ? kept : 0.0);
+      CHECK(E(0, 2 * static_cast<int>(n)) * place.root_mass == near(0.6 * share, 1e-12));
+    }
+  }
+}
+
+TEST_CASE("What has no mass around goes to the nodes that the row reaches; with none at all there is no row") {
+  SharpBox box;
+  box.set_mass(box.around(), 1000);
+  Rows rows(box.grids);
+  CHECK_FALSE(rows.add(1, 0, {{box.flat(5, 5), {1, 0}}}));
+  CHECK_FALSE(rows.add(0, 1, {{box.flat(5, 5), {1, 0}}}));
+  CHECK(rows.count() == 0);
+  box.inside().sum[box.flat(2, 2)][3] = 1000;
+  REQUIRE(rows.add(1, 0, {{box.flat(2, 2), {1, 0}}, {box.flat(8, 8), {0.5, 2}}}));
+  CHECK(rows.count() == 1);
+  const auto sum = impulses(rows);
+  CHECK(sum[1][0] == near(1.5, 1e-13));
+  CHECK(sum[1][1] == near(2, 1e-13));
+  CHECK(sum[0][1] == near(-2, 1e-13));
+}
+
+TEST_CASE("Pressures change velocities by dt p b / m, in opposite senses, and what blend remembers of them") {
+  SharpBox box;
+  box.set_mass(box.inside(), 4e3);
+  box.set_mass(box.around(), 9e3);
+  Rows rows(box.grids);
+  REQUIRE(rows.add(1, 0, {{box.flat(5, 5), {0.5, -0.25}}}));
+  Eigen::VectorXd pressure(1);
+  pressure << 2e3;
+  box.inside().velocity[box.flat(5, 5)] = Vec4{1, 1, 0, 0};
+  apply_pressures(rows, rows.matrix(), pressure, 0.01, box.grids);
+  CHECK(box.inside().velocity[box.flat(5, 5)][0] == near(1 - 0.01 * 2e3 * 0.5 / 4e3, 1e-14));
+  CHECK(box.inside().velocity[box.flat(5, 5)][1] == near(1 + 0.01 * 2e3 * 0.25 / 4e3, 1e-14));
+  CHECK(box.around().velocity[box.flat(5, 5)][0] == near(0.01 * 2e3 * 0.5 / 9e3, 1e-14));
+  CHECK(box.inside().velocity_change[box.flat(5, 5)][0] == near(-0.01 * 2e3 * 0.5 / 4e3, 1e-14));
+}
