@@ -21,7 +21,7 @@ Row<2> membrane_contact_row(const Scene& scene) {
 }
 
 Row<2> particle_contact_row(const Scene& scene) {
-  return {"particle_contact", Data::position | Data::nodal_sums | Data::rigid_bodies,
+  return {"particle_contact", Data::position | Data::velocity | Data::rigid_bodies | Data::nodal_sums,
           Data::contacts | Data::nodal_sums | Data::nodal_force,
           any_contact_of(scene, ContactPair::Kind::body_on_rigid),
           each_field<2>([](State<2>& s, Grid<2>& g, const StepContext& step) { contact_to_grid(s, g, step.dt); })};

@@ -126,7 +126,7 @@ std::array<double, 2> in_reach_of_grid(const GridLayout<2>& layout, const Vec<2>
   return place;
 }
 
-/// Where the force on a point acts: on the surface, where the pressure of particles ends. At the particle the two
+/// Where the force on fluid acts: on the surface, where the pressure of particles ends. At the particle the two
 /// balance on no node by itself (water beside a half-plane kept 0.6 m/s). No farther off than its reach: nodes there
 /// may have no mass.
 Vec<2> place_of_force(const ContactPoint& point, const RigidSurface::Gap& gap) {
@@ -182,16 +182,18 @@ void recover_widths(const RigidSurface& surface, const GridLayout<2>& layout, co
 
 void add_particle_contact(const RigidSurface& surface, double dt, const Body<2>& body, Grid<2>& grid,
                           RigidContact<2>& contact) {
-  recover_widths(surface, grid.layout, body, contact);
+  // A solid keeps its widths, and is stiff enough to hold a force inside its edge; friction stops it sooner there.
+  const bool fluid = std::holds_alternative<Newtonian>(body.material);
+  if (fluid) recover_widths(surface, grid.layout, body, contact);
   std::vector<ContactPoint> points = find_particles(surface, grid.layout, body, contact);
-  follow_flow(surface, dt, body, grid, points, contact);
+  if (fluid) follow_flow(surface, dt, body, grid, points, contact);
   const std::vector<SurfaceForce> forces = contact_forces(surface, points, dt, contact);
   const bool separate = !grid.force.empty();
   Array<Vec4>& field = separate ? grid.force : grid.sum;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [force, on] = forces[i];
     const Vec4 f = (separate ? 1.0 : dt) * Vec4{force[0], force[1]};
-    const PointSupport<2> support(grid.layout, in_reach_of_grid(grid.layout, on), body.half_size);
+    const PointSupport<2> support(grid.layout, in_reach_of_grid(grid.layout, fluid ? on : points[i].x), body.half_size);
     support.for_each_node(grid.layout, [&](int node, double weight) { field[node] += weight * f; });
   }
 }

@@ -48,7 +48,7 @@ void LimitWatch::look_at_row(const Scene& scene, const HistoryTable& history, st
     if (growth > most_growth)
       say(membrane.name + " area", "the outline of membrane '" + membrane.name + "' encloses " + percent(growth) +
                                        " more than at the start" + at(now.front()) +
-                                       "; what is inside has opened, or what is around leaks in");
+                                       "; what is inside has opened (soil: void_memory), or what is around leaks in");
   }
 }
 
