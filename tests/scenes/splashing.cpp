@@ -67,7 +67,7 @@ TEST_CASE("A dam break in a tank runs for 10 s, with and without an obstacle, an
       CAPTURE(run.arguments({}).back());
       CHECK(run.outcome().code == 0);
       const std::vector<double> energy = run.column("energy.total_J");
-      CHECK(largest_rise(energy) < (obstacle ? 0.04 : 0.015) * energy.front());
+      CHECK(largest_rise(energy) < (obstacle ? 0.025 : 0.015) * energy.front());
     }
 }
 
@@ -77,9 +77,9 @@ TEST_CASE("Water beside a rigid half-plane comes to rest, wherever the plane is 
     CHECK(run.result("lowest_centre_m") > 0.495);
     return run.result("velocity_rms_m_s");
   };
-  CHECK(velocity({}) < 0.012);  // 0.25 before contact forces acted on the surface
-  CHECK(velocity({"rigid.paddle.shape.point=[0.53,0]", "bodies.water.shape.lower=[0.53,0]"}) < 0.012);
-  CHECK(velocity({"bodies.water.pressure=particle"}) < 0.012);
+  CHECK(velocity({}) < 0.02);  // 0.010 measured, 0.25 with the force at the particles
+  CHECK(velocity({"rigid.paddle.shape.point=[0.53,0]", "bodies.water.shape.lower=[0.53,0]"}) < 0.02);
+  CHECK(velocity({"bodies.water.pressure=particle"}) < 0.02);
 }
 
 TEST_CASE("A piston makes waves as high as linear theory says") {
