@@ -83,9 +83,13 @@ TEST_CASE("Water beside a rigid half-plane comes to rest, wherever the plane is 
 }
 
 TEST_CASE("A piston makes waves as high as linear theory says") {
-  constexpr double omega = std::numbers::pi, stroke = 0.08;
+  constexpr double omega = std::numbers::pi, stroke = 0.16;
   const WaveMaker exact = wave_maker(omega);
   CHECK(exact.height == near(1.1626, 1e-4));
-  const SceneRun run("tests/scenes/wave_maker.toml");
-  CHECK(height_of_waves(run, stroke, omega, exact.group_velocity) == near(exact.height * stroke, 0.03));
+  // 0.9998 and 1.002 of it; a single period scatters by 5 %, with waves 1.5 cells high.
+  const std::vector<std::vector<std::string>> settings{{}, {"solver.transfer=tpic", "solver.blend_rate="}};
+  for (const auto& scheme : settings) {
+    const SceneRun run("tests/scenes/wave_maker.toml", scheme);
+    CHECK(height_of_waves(run, stroke, omega, exact.group_velocity) == near(exact.height * stroke, 0.02));
+  }
 }
