@@ -21,7 +21,7 @@ double value(const Series& series, double ds) {
 
 }  // namespace
 
-MembranePath::MembranePath(const MembraneLoad& load) {
+MembranePath::MembranePath(const MembraneLoad& load, double longest) : longest_(longest) {
   end_ = {0, 0, 0, 0, load.top_pressure, 0};
   if (load.change_level > 0) {
     // T (1 - cos theta) is the integral of p over y from the crown, T (1 + cos theta) that down to the ground.
@@ -86,7 +86,7 @@ void MembranePath::follow(double gradient, double tension, double theta) {
   // most 4 |g| T from here. The poles of theta(s) in the complex plane are pi T / p_max away or more; half of T / p_max
   // is a sixth of that, and 6.3^-20 = 1e-16. Such a piece turns by less than half a radian.
   const double highest = std::sqrt(end_.pressure * end_.pressure + 4 * std::abs(gradient) * tension);
-  while (end_.theta < theta) {
+  while (end_.theta < theta && end_.s <= longest_) {
     Piece piece = start_piece(end_, gradient, tension);
     piece.length = tension / (2 * highest);
     if (piece.point(1).theta >= theta) {

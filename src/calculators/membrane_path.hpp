@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace geodrop {
@@ -30,8 +31,9 @@ struct PathPoint {
 /// for its edges, where formulas in theta cancel digits. Also without the elliptic integrals' restriction to g > 0.
 class MembranePath {
  public:
-  /// All pressures must be positive, so that the membrane keeps turning one way.
-  explicit MembranePath(const MembraneLoad& load);
+  /// All pressures must be positive, so that the membrane keeps turning one way. Ends beyond an arc length of
+  /// `longest`, before the ground if that is farther.
+  explicit MembranePath(const MembraneLoad& load, double longest = std::numeric_limits<double>::infinity());
 
   const PathPoint& end() const { return end_; }  ///< where the membrane meets the ground: theta = pi
   PathPoint at(double s) const;                  ///< 0 <= s <= end().s
@@ -47,9 +49,10 @@ class MembranePath {
     double part_where_theta(double theta) const;
   };
   static Piece start_piece(const PathPoint& at, double gradient, double tension);
-  /// Adds pieces from the end until the membrane has turned to theta.
+  /// Adds pieces from the end until the membrane has turned to theta, or is too long.
   void follow(double gradient, double tension, double theta);
 
+  double longest_;
   std::vector<Piece> pieces_;
   PathPoint end_{};
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace geodrop {
@@ -32,9 +33,10 @@ TubeSection even_section(const MembraneLoad& load) {
   return {radius * K, half_base, 2 * half_base * p_bottom / g};
 }
 
-TubeSection find_section(const MembraneLoad& load) {
+/// `longest`: of the half arc; of a longer one only the beginning is computed.
+TubeSection find_section(const MembraneLoad& load, double longest = std::numeric_limits<double>::infinity()) {
   if (load.change_level == 0) return even_section(load);
-  const PathPoint end = MembranePath(load).end();
+  const PathPoint end = MembranePath(load, longest).end();
   return {end.s, end.x, end.area};
 }
 
@@ -48,7 +50,8 @@ double excess_length(const MembraneLoad& load, double length) {
   if (is_all_under_heavier_water(load)) return -1;
   if (load.bottom_pressure < least * (load.top_pressure + load.upper_gradient * (load.height - load.change_level)))
     return 1;
-  const TubeSection section = find_section(load);
+  const TubeSection section = find_section(load, length);
+  if (section.half_arc > length) return 1;
   return 2 * (section.half_arc + section.half_base) / length - 1;
 }
 

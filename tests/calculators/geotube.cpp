@@ -370,6 +370,12 @@ TEST_CASE("What has no solution is refused with the limit") {
   check_refused(in_water(paper_tube(5.56), 1, 0), "water-unit-weight: found 0; allowed: a unit weight > 0 [N/m3]");
 }
 
+TEST_CASE("A membrane too soft for its fill is refused, though its curve is followed in a million pieces") {
+  CHECK_THROWS_AS(
+      solve_geotube({.perimeter = 7, .unit_weight = 16000, .stiffness = 0.5, .water = {1, 1}, .value = 2.8}),
+      SceneError);
+}
+
 TEST_CASE("A tube that floats is refused with the highest water in which it rests") {
   const GeotubeInput deep = in_water(paper_tube(5.56), 5, 14e3);
   const std::string said = refusal(deep), before = "water-level: found 5; allowed: at most ";
