@@ -2,6 +2,9 @@
 #include "cut/interface_constraint.hpp"
 
 #include <doctest/doctest.h>
+#include <geodrop/base/error.hpp>
+
+#include <limits>
 
 #include "support/near.hpp"
 #include "support/sharp_box.hpp"
@@ -127,4 +130,22 @@ TEST_CASE("A bed pushes but does not pull; a fluid pulls as much as it pushes") 
   const std::size_t middle = in_water.segment_at(3.25, 6);
   CHECK(in_water.skin().water_pressure[middle] < -2e4);
   CHECK(in_water.skin().water_pressure[middle] == near(-towards.skin().water_pressure[middle], 1e-6));
+}
+
+TEST_CASE("Steps in which the pressures are not found are counted, and a hundred in a row end the run") {
+  SharpBox box = tall();
+  const auto step_with = [&](double velocity) {
+    for (Grid<2>& grid : box.grids) std::fill(grid.velocity.begin(), grid.velocity.end(), Vec4{});
+    std::fill(box.skin().water_pressure.begin(), box.skin().water_pressure.end(), 0.0);
+    move_left_side(box.around(), velocity, 0);
+    join_interfaces(box.state, box.grids, dt);
+  };
+  const double unsolvable = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < 99; ++k) step_with(unsolvable);
+  CHECK(box.state.constraint_watch.unsolved == 99);
+  step_with(speed);
+  CHECK(box.state.constraint_watch.unsolved == 99);
+  CHECK(box.state.constraint_watch.in_a_row == 0);
+  for (int k = 0; k < 99; ++k) step_with(unsolvable);
+  CHECK_THROWS_AS(step_with(unsolvable), RunError);
 }
