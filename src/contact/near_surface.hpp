@@ -10,6 +10,13 @@
 
 namespace geodrop {
 
+/// 0 where a particle of half width `reach` [m] just touches, 1 from a depth of a hundredth of that on: what holds for
+/// particles that touch sets in without a jump, which round-off would decide about.
+inline double touch_share(double gap, double reach) {
+  constexpr double all = 0.01;
+  return std::clamp((reach - gap) / (all * reach), 0.0, 1.0);
+}
+
 /// Whether particles of a slab may be closer to the surface than a cell: a cell of motion since the sort is included.
 inline bool slab_is_near(const RigidSurface& surface, const GridLayout<2>& layout, int slab) {
   const double reach = layout.h;  // no particle is wider

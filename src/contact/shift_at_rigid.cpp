@@ -144,7 +144,8 @@ void hold_shift(State<2>& state, const Grid<2>& grid, double dt) {
       if (known == contact.points.end() || *known != body.id[p]) return;
       const auto gap = surface.gap(vector_at(body.x, p), contact.side[known - contact.points.begin()]);
       if (!gap) return;
-      const double out = gap->normal.dot(shift_of(grid, body, p, dt));
+      const double touches = touch_share(gap->size, contact.half_width[body.id[p]]);
+      const double out = touches * gap->normal.dot(shift_of(grid, body, p, dt));
       for (int a = 0; a < 2; ++a) body.x[a][p] -= out * gap->normal[a];
     });
   }

@@ -164,8 +164,8 @@ void follow_flow(const RigidSurface& surface, double dt, const Body<2>& body, co
     point.v = grid_velocity(grid, place_of_force(point, *gap), body.half_size);
     const double at_start = contact.reach[point.id];
     const double spread = dt * gap->normal.dot(grid_velocity(grid, point.x, body.half_size) - point.v);
-    contact.half_width[point.id] =
-        std::clamp(point.reach + spread + back * (at_start - point.reach), least * at_start, most * at_start);
+    const double change = touch_share(gap->size, point.reach) * (spread + back * (at_start - point.reach));
+    contact.half_width[point.id] = std::clamp(point.reach + change, least * at_start, most * at_start);
   }
 }
 
