@@ -36,8 +36,7 @@ bool may_swing(const Grid<Dim>& grid, int flat, double stiffness) {
   constexpr double most_square = 0.5 * Dim;  // of sum |int grad N|^2: 1/2 along an axis, at most 1 across
   double lightest = std::numeric_limits<double>::infinity();
   for_rows_around<Dim>(grid.layout, [&](int offset, int, int) {
-    for (int x = -1; x <= 1; ++x)
-      if (const double m = grid.sum[flat + offset + x][3]; m > 0) lightest = std::min(lightest, m);
+    for (int x = -1; x <= 1; ++x) lightest = std::min(lightest, grid.sum[flat + offset + x][3]);
   });
   return stiffness * most_square > most_swing * grid.cell_volume[flat] * std::max(lightest, grid.light_mass);
 }
@@ -63,8 +62,7 @@ template <int Dim>
 double cell_swing(const Grid<Dim>& grid, const std::array<int, Dim>& cell, int flat, double dt) {
   double sum = 0;
   for_neighbourhood(grid.layout, flat, [&](int node, const std::array<int, Dim>& a) {
-    const double mass = grid.sum[node][3];
-    if (!(mass > 0)) return;
+    const double mass = grid.sum[node][3];  // none counts as little: round-off decides between the two
     std::array<int, Dim> at = cell;
     for (int axis = 0; axis < Dim; ++axis) at[axis] += a[axis] - 1;
     sum += square_of_slope<Dim>(grid, cell, a) / std::max(mass, light_mass<Dim>(grid, at));

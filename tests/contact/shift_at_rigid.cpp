@@ -119,7 +119,7 @@ TEST_CASE("What touches does not shift along the normal, what does not touch shi
   std::size_t touching = 0;
   for (std::size_t p = 0; p < water.size(); ++p)
     if (water.x[0][p] < 0.55 && std::abs(water.x[1][p] - 0.5) < 0.05) touching = p;
-  water.x[0][touching] -= 1e-4;
+  water.x[0][touching] -= 1e-3;
   contact.points = {water.id[touching]};
   contact.side = {0};
   contact.slip = {0};

@@ -51,8 +51,7 @@ double swing_by_force(Grid<Dim> grid, int flat) {
       const RowForce<Dim> force = cell_pressure_force<Dim>(grid, begin, count, node);
       for (int k = 0; k < count; ++k, ++node[0])
         for (int a = 0; a < Dim; ++a)
-          if (grid.sum[begin + k][3] > 0)
-            sum += force[a][k] * force[a][k] / std::max(grid.sum[begin + k][3], light_mass<Dim>(grid, node));
+          sum += force[a][k] * force[a][k] / std::max(grid.sum[begin + k][3], light_mass<Dim>(grid, node));
     });
   return dt * dt * modulus * sum / grid.cell_volume[flat];
 }
