@@ -7,6 +7,7 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -23,19 +24,36 @@ struct Contact {
   Stretch stretch;
   bool on_bed = false;
   double pore_pressure = 0;  ///< of the bed [Pa]
+  double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
   bool joined = false;       ///< both sides have mass there
   double pressure = 0;       ///< [Pa]
 
-  bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip; }
-  bool rubs() const { return on_bed || membrane->shear == Shear::wall_law; }
+  bool over_soil() const { return !membrane->contents_pressure.empty(); }
+  bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip && !over_soil(); }
+  bool rubs() const { return on_bed || (membrane->shear != Shear::none && !sticks()); }
 
-  /// Largest traction along it [Pa]; slip [m2/s]: the velocity of slipping times the length.
+  /// Largest traction along it [Pa]: what is around can give, and the soil inside can take. slip [m2/s]: the velocity
+  /// of slipping times the length.
   double most_friction(double slip) const {
-    if (on_bed) return std::max(0.0, membrane->bed_friction * (pressure - pore_pressure));
+    const double taken = over_soil() ? membrane->contents_friction * inside : std::numeric_limits<double>::infinity();
+    if (on_bed) return std::min(taken, std::max(0.0, membrane->bed_friction * (pressure - pore_pressure)));
+    if (membrane->shear == Shear::no_slip) return taken;
     const double velocity = slip / stretch.length;
-    return 0.5 * membrane->fluid_density * membrane->wall_friction * velocity * velocity;
+    return std::min(taken, 0.5 * membrane->fluid_density * membrane->wall_friction * velocity * velocity);
   }
 };
+
+/// Mean over a stretch of the effective pressure inside.
+double pressure_inside(const Membrane<2>& membrane, const CutCells& cells, const Stretch& stretch) {
+  const Array<double>& pressure = membrane.contents_pressure;
+  double sum = 0;
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
+    const std::size_t start = piece.edge, end = end_of_edge(start, membrane.nodes());
+    const double middle = 0.5 * (piece.from + piece.to);
+    sum += length_of(membrane, piece) * ((1 - middle) * pressure[start] + middle * pressure[end]);
+  });
+  return stretch.length > 0 ? sum / stretch.length : 0;
+}
 
 /// Mean over a stretch of the traction that its segments had.
 double last_traction(const Contact& contact, const CutCells& cells, Direction direction) {
@@ -51,6 +69,7 @@ double last_traction(const Contact& contact, const CutCells& cells, Direction di
 void forget_tractions(Membrane<2>& membrane) {
   std::fill(membrane.water_pressure.begin(), membrane.water_pressure.end(), 0.0);
   std::fill(membrane.water_shear.begin(), membrane.water_shear.end(), 0.0);
+  std::fill(membrane.bed_shear.begin(), membrane.bed_shear.end(), 0.0);
 }
 
 /// Where the bed is around a membrane: volume of its particles in each cell of the box, and that times pore pressure.
@@ -97,6 +116,7 @@ std::vector<Contact> find_contacts(State<2>& state, const Grids<2>& grids) {
     for (const Stretch& stretch : wet_stretches(around, membrane, cells)) {
       contacts.push_back({&membrane, stretch});
       if (!membrane.bed.empty()) look_for_bed(around, cells, bed, contacts.back());
+      if (contacts.back().over_soil()) contacts.back().inside = pressure_inside(membrane, cells, stretch);
     }
   }
   return contacts;
@@ -145,7 +165,9 @@ void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids
     const double sign =
         normal ? 1 : -cells.sense;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
     for_each_piece(cells, contacts[c].stretch, [&](const CutCells::Piece& piece) {
-      target[piece.edge] += sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
+      const double part = sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
+      target[piece.edge] += part;
+      if (!normal && contacts[c].on_bed) membrane.bed_shear[piece.edge] += part;
     });
   }
 }
@@ -232,24 +254,44 @@ bool join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   return converged;
 }
 
+/// Tractions that stop the slip of rows, each at most `most`: projected Gauss-Seidel from a guess.
+Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_rate, const Eigen::VectorXd& most,
+                              Eigen::VectorXd traction) {
+  constexpr int most_sweeps = 200;
+  constexpr double tolerance = 1e-6;  // of the largest traction
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0;
+    for (Eigen::Index r = 0; r < S.rows(); ++r) {
+      double held = 0, diagonal = 1;
+      for (SparseRows::InnerIterator entry(S, r); entry; ++entry) {
+        held += entry.value() * traction[entry.col()];
+        if (entry.col() == r) diagonal = entry.value();
+      }
+      const double before = traction[r];
+      traction[r] = std::clamp(before + (slip_rate[r] - held) / diagonal, -most[r], most[r]);
+      change = std::max(change, std::abs(traction[r] - before));
+    }
+    if (change <= tolerance * traction.cwiseAbs().maxCoeff()) break;
+  }
+  return traction;
+}
+
 /// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
-/// bed, at most what the wall law says in fluid. Projected Gauss-Seidel.
-void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
-  constexpr int sweeps = 30;
+/// bed, what the soil inside takes where water would stick, or what the wall law says in fluid.
+void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids, const std::vector<double>& last) {
   ContactRows rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts[c].joined && contacts[c].rubs()) rows.add(contacts, c, Direction::tangent);
   if (rows.list().empty()) return;
-  const SparseRows T = rows.rows().matrix();
-  const Eigen::MatrixXd S = T * T.transpose();
-  const Eigen::VectorXd slip = T * rows.rows().scaled_velocities(), slip_rate = slip / dt;
-  Eigen::VectorXd traction = Eigen::VectorXd::Zero(S.rows()), most(S.rows());
-  for (Eigen::Index r = 0; r < S.rows(); ++r) most[r] = contacts[rows.list()[r].contact].most_friction(slip[r]);
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (Eigen::Index r = 0; r < S.rows(); ++r) {
-      const double wanted = traction[r] + (slip_rate[r] - S.row(r).dot(traction)) / S(r, r);
-      traction[r] = std::clamp(wanted, -most[r], most[r]);
-    }
+  const SparseRows T = rows.rows().matrix(), S = T * T.transpose();
+  const Eigen::VectorXd slip = T * rows.rows().scaled_velocities();
+  Eigen::VectorXd guess(S.rows()), most(S.rows());
+  for (Eigen::Index r = 0; r < S.rows(); ++r) {
+    const std::size_t c = rows.list()[static_cast<std::size_t>(r)].contact;
+    most[r] = contacts[c].most_friction(slip[r]);
+    guess[r] = std::clamp(last[c], -most[r], most[r]);
+  }
+  const Eigen::VectorXd traction = solve_limited(S, slip / dt, most, guess);
   apply_pressures(rows.rows(), T, traction, dt, grids);
   store(rows, traction, grids, contacts);
 }
@@ -258,8 +300,11 @@ void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
 
 void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
   std::vector<Contact> contacts = find_contacts(state, grids);
+  std::vector<double> last;  // tractions along the membrane, before they are forgotten
+  for (const Contact& contact : contacts)
+    last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Direction::tangent));
   note(join(dt, contacts, grids), state.t, state.constraint_watch);
-  rub(dt, contacts, grids);
+  rub(dt, contacts, grids, last);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);
 }
 

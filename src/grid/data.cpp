@@ -42,8 +42,9 @@ void add_constants(const Body<Dim>& body, Hasher& hash) {
 
 template <int Dim>
 void add_constants(const Membrane<Dim>& m, Hasher& hash) {
-  hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.averaging_segments, m.half_size,
-           m.mass, m.rest_length, m.bed, m.bed_friction, m.shear, m.wall_friction, m.drag_coefficient, m.fluid_density);
+  hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
+           m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.drag_coefficient,
+           m.fluid_density);
 }
 
 template <int Dim>
@@ -84,11 +85,13 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
     case Data::membrane_velocity:
       return hash.add(membrane.v);
     case Data::membrane_tension:
-      return hash.add(membrane.strain, membrane.tension, membrane.tension_peak);
+      return hash.add(membrane.strain, membrane.tension, membrane.gauge);
+    case Data::membrane_cloth:
+      return hash.add(membrane.rest_length, membrane.mass, membrane.contents_pressure);
     case Data::membrane_load:
       return hash.add(membrane.load);
     case Data::water_traction:
-      return hash.add(membrane.water_pressure, membrane.water_shear);
+      return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear);
     default:
       return;
   }
@@ -195,6 +198,7 @@ constexpr std::string_view names[] = {"time",
                                       "membranes",
                                       "membrane nodes",
                                       "velocity of membrane nodes",
+                                      "cloth of membranes",
                                       "tension",
                                       "membrane loads",
                                       "water on membranes",

@@ -16,6 +16,12 @@ bool any_model_drag(const Scene& scene);
 /// Something loads membrane nodes directly, not through the grid.
 bool any_membrane_load(const Scene& scene);
 
+/// mu between a membrane and its body, given or as the material of the body says; infinite: glued [-].
+double contents_friction(const Scene& scene, const MembraneSpec& membrane);
+/// It has a tension, and is not glued to its body.
+bool slides(const Scene& scene, const MembraneSpec& membrane);
+bool any_membrane_slides(const Scene& scene);
+
 bool any_tracer(const Scene& scene);
 
 }  // namespace geodrop

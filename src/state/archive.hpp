@@ -29,6 +29,10 @@ inline constexpr bool is_membrane = false;
 template <int Dim>
 inline constexpr bool is_membrane<Membrane<Dim>> = true;
 template <class T>
+inline constexpr bool is_tension_gauge = false;
+template <int Dim>
+inline constexpr bool is_tension_gauge<TensionGauge<Dim>> = true;
+template <class T>
 inline constexpr bool is_rigid_body = false;
 template <int Dim>
 inline constexpr bool is_rigid_body<RigidBody<Dim>> = true;
@@ -66,12 +70,16 @@ auto members(Part& part) {
   } else if constexpr (requires { fields_of(part); }) {
     return listed_fields(part);
   } else if constexpr (is_membrane<Plain>) {
-    auto& [name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
-           rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction, drag_coefficient,
-           fluid_density, water_pressure, water_shear] = part;
-    return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v,
-                    mass, rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction,
-                    drag_coefficient, fluid_density, water_pressure, water_shear);
+    auto& [name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length, half_size, x,
+           v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed, bed_friction, shear,
+           wall_friction, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear] = part;
+    return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length,
+                    half_size, x, v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed,
+                    bed_friction, shear, wall_friction, drag_coefficient, fluid_density, water_pressure, water_shear,
+                    bed_shear);
+  } else if constexpr (is_tension_gauge<Plain>) {
+    auto& [windows, sums, now, now_at, peak, peak_time, peak_at] = part;
+    return std::tie(windows, sums, now, now_at, peak, peak_time, peak_at);
   } else if constexpr (is_rigid_body<Plain>) {
     auto& [name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement, angle_rate,
            velocity] = part;

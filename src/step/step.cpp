@@ -21,6 +21,7 @@ template <int Dim>
 const std::vector<RowMaker<Dim>> rows_of_a_step = {
     stable_dt_row<Dim>,
     scene_stages_row<Dim>,
+    even_out_nodes_row,
     sort_particles_row<Dim>,
     clear_grid_row<Dim>,
     cut_cells_row,
@@ -35,6 +36,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     body_force_row<Dim>,
     clear_loads_row,
     membrane_contact_row,
+    slide_membranes_row,
     enclosed_load_row,
     still_fluids_row,
     model_drag_row,

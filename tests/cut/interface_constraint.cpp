@@ -44,6 +44,7 @@ SharpBox on_bed(double approach, double friction, double pore_pressure) {
   SharpBox box = tall();
   box.skin().bed = "pool";
   box.skin().bed_friction = friction;
+  box.skin().bed_shear.assign(box.skin().segments(), 0.0);
   Body<2> lattice = lattice_body<2>(box.around().layout, LinearElastic{box_density, 2e6, 1e6}, 2);
   lattice.name = "pool";
   lattice.pore_pressure.assign(lattice.size(), pore_pressure);
@@ -107,6 +108,20 @@ TEST_CASE("The wall law never does more than stop the slip") {
   }
 }
 
+TEST_CASE("Water that sticks drags a membrane over soil by mu p' at most, p' of the soil inside") {
+  constexpr double mu = 0.3, inside = 2e3;
+  SharpBox box = slipping(Shear::no_slip), firm = slipping(Shear::no_slip), sticks = slipping(Shear::no_slip);
+  for (auto [limited, pressure] : {std::pair{&box, inside}, std::pair{&firm, 1e9}}) {
+    limited->skin().contents_friction = mu;
+    limited->skin().contents_pressure.assign(limited->skin().nodes(), pressure);
+  }
+  for (SharpBox* each : {&box, &firm, &sticks}) join_interfaces(each->state, each->grids, dt);
+  for (const double y : {5.0, 6.0, 7.0}) {
+    CHECK(shear_upwards(box, y) == near(mu * inside, 1e-9));
+    CHECK(shear_upwards(firm, y) == near(shear_upwards(sticks, y), 0.03));  // as under the wall law
+  }
+}
+
 TEST_CASE("On a bed friction is mu times the effective pressure where it slips, against the slip") {
   constexpr double mu = 0.1, pore = 3e3;
   const SharpBox box = on_bed(0.5, mu, pore);
@@ -114,6 +129,8 @@ TEST_CASE("On a bed friction is mu times the effective pressure where it slips, 
     const double p = box.state.membranes[0].water_pressure[box.segment_at(3.25, y)];
     CHECK(p > 2e4);
     CHECK(shear_upwards(box, y) == near(-mu * (p - pore), 1e-9));
+    const std::size_t segment = box.segment_at(3.25, y);
+    CHECK(box.state.membranes[0].bed_shear[segment] == box.state.membranes[0].water_shear[segment]);
   }
 }
 

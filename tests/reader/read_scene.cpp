@@ -168,7 +168,10 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[0].axial_stiffness == 1e6);
   CHECK(scene.membranes[0].slack == 0.01);
   CHECK(scene.membranes[0].segments_per_cell == 3);
-  CHECK(scene.membranes[1].averaging_segments == 2);
+  CHECK(scene.membranes[1].contents_friction == -1);
+  CHECK(scene.membranes[1].gauge_length == 0.2);
+  CHECK(scene.membranes[0].contents_friction == 0.3);
+  CHECK(scene.membranes[0].gauge_length == 0.5);
   CHECK(scene.membranes[0].interface == Interface::sharp);
   CHECK(scene.membranes[0].shear == Shear::wall_law);
   CHECK(scene.membranes[0].wall_friction == 0.01);
