@@ -12,13 +12,15 @@ namespace {
 /// 0.1 m/s it gives some Pa.
 constexpr double drag_share = 1e-4;
 
-/// Whether its contacts have friction. Smooth ones load it across its line, whatever its polygon says.
-bool any_rough_contact(const State<2>& state, const Membrane<2>& membrane) {
-  return std::any_of(state.rigid_contacts.begin(), state.rigid_contacts.end(),
-                     [&](const RigidContact<2>& c) { return c.touching == membrane.name && c.friction > 0; }) ||
-         std::any_of(state.membrane_contacts.begin(), state.membrane_contacts.end(), [&](const MembraneContact& c) {
-           return (c.between[0] == membrane.name || c.between[1] == membrane.name) && c.friction > 0;
-         });
+/// Largest friction of its contacts [-]. Smooth ones load it across its line, whatever its polygon says.
+double contact_friction(const State<2>& state, const Membrane<2>& membrane) {
+  double friction = 0;
+  for (const RigidContact<2>& contact : state.rigid_contacts)
+    if (contact.touching == membrane.name) friction = std::max(friction, contact.friction);
+  for (const MembraneContact& contact : state.membrane_contacts)
+    if (contact.between[0] == membrane.name || contact.between[1] == membrane.name)
+      friction = std::max(friction, contact.friction);
+  return friction;
 }
 
 double half_length(const Cloth& cloth, std::size_t k) {
@@ -42,12 +44,16 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
     cloth_.load[s] += half;
     cloth_.load[end_of_edge(s, membrane.nodes())] += half;
   }
-  const bool rough = any_rough_contact(state, membrane);
+  const double rough = contact_friction(state, membrane);
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
     const auto [tx, ty] = tangent_at(membrane, k);
     cloth_.load[k] += membrane.mass[k] * (gravity_[0] * tx + gravity_[1] * ty);
-    if (rough) cloth_.load[k] += membrane.load[0][k] * tx + membrane.load[1][k] * ty;
+    if (!(rough > 0)) continue;
+    cloth_.load[k] += membrane.load[0][k] * tx + membrane.load[1][k] * ty;
+    // What touches holds the cloth, too: without that a tube of water turns like a tread under a rough plate.
+    cloth_.friction[k] = rough * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
   }
+  held_ = rough > 0;
 }
 
 /// Mass follows the rest length that passes; momentum goes with it, from the node that it leaves.
@@ -74,11 +80,12 @@ void MembraneSlide::move_mass(Membrane<2>& membrane) {
 
 void MembraneSlide::slide(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane) {
   gather(state, membrane);
-  if (membrane.contents_friction > 0) {
-    pressure_.update(state, layout, membrane);
+  const bool rubs = membrane.contents_friction > 0;
+  if (rubs) pressure_.update(state, layout, membrane);
+  if (rubs || held_) {
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const double length = half_length(cloth_, k);
-      cloth_.friction[k] = membrane.contents_friction * membrane.contents_pressure[k] * length;
+      if (rubs) cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;
       cloth_.drag[k] = drag_share * membrane.axial_stiffness / length;
     }
     solver_.solve(cloth_);

@@ -10,9 +10,9 @@
 namespace geodrop {
 
 /// Cloth without inertia in balance at each step (slide.hpp): tension, the friction mu p' of the soil inside and the
-/// loads of rough contacts, of the bed and of its own weight (or the weight would drive the fluid inside round and
-/// round). Over a fluid (mu = 0) the exact tension without friction. Keeps its arrays from one step to the next; all
-/// that lasts is in the membranes.
+/// loads and the friction of rough contacts, of the bed and of its own weight (or the weight would drive the fluid
+/// inside round and round). Over a fluid (mu = 0) the exact tension without friction. Keeps its arrays from one step to
+/// the next; all that lasts is in the membranes.
 class MembraneSlide {
  public:
   explicit MembraneSlide(const std::array<double, 2>& gravity) : gravity_(gravity) {}
@@ -27,6 +27,7 @@ class MembraneSlide {
 
   std::array<double, 2> gravity_;  ///< [m/s2]
   Cloth cloth_;
+  bool held_ = false;  ///< by contacts with friction
   ClothSlide solver_;
   ContentsPressure pressure_;
   std::array<std::vector<double>, 2> momentum_;
