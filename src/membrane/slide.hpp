@@ -40,7 +40,8 @@ class ClothSlide {
   /// False if it has not converged within `most_rounds`; the energy has fallen all the same.
   bool solve(Cloth& cloth);
 
-  static constexpr int most_rounds = 100;
+  /// Most steps take one or two; with 100 the mirror image of a bag differed from the bag by up to 3 %.
+  static constexpr int most_rounds = 3000;
 
  private:
   double tension(std::size_t s, double rest) const;

@@ -50,10 +50,10 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
     cloth_.load[k] += membrane.mass[k] * (gravity_[0] * tx + gravity_[1] * ty);
     if (!(rough > 0)) continue;
     cloth_.load[k] += membrane.load[0][k] * tx + membrane.load[1][k] * ty;
-    // What touches holds the cloth, too: without that a tube of water turns like a tread under a rough plate.
-    cloth_.friction[k] = rough * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
+    // What touches soil in cloth holds the cloth, too. Over a fluid that would leave slack stretches undetermined.
+    cloth_.friction[k] =
+        (membrane.contents_friction > 0 ? rough : 0.0) * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
   }
-  held_ = rough > 0;
 }
 
 /// Mass follows the rest length that passes; momentum goes with it, from the node that it leaves.
@@ -80,12 +80,11 @@ void MembraneSlide::move_mass(Membrane<2>& membrane) {
 
 void MembraneSlide::slide(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane) {
   gather(state, membrane);
-  const bool rubs = membrane.contents_friction > 0;
-  if (rubs) pressure_.update(state, layout, membrane);
-  if (rubs || held_) {
+  if (membrane.contents_friction > 0) {
+    pressure_.update(state, layout, membrane);
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const double length = half_length(cloth_, k);
-      if (rubs) cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;
+      cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;
       cloth_.drag[k] = drag_share * membrane.axial_stiffness / length;
     }
     solver_.solve(cloth_);

@@ -27,7 +27,6 @@ class MembraneSlide {
 
   std::array<double, 2> gravity_;  ///< [m/s2]
   Cloth cloth_;
-  bool held_ = false;  ///< by contacts with friction
   ClothSlide solver_;
   ContentsPressure pressure_;
   std::array<std::vector<double>, 2> momentum_;

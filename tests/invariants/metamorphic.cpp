@@ -222,11 +222,10 @@ bool always(const RandomScene&) { return true; }
 TEST_CASE("Random scenes: the mirror image runs as the mirror image") {
   // Without simplices: cells are split along one diagonal. Without sharp interfaces: a short stretch of the outline
   // joins the next one, and which that is depends on the sense of the outline; stresses differ by up to 7 % of the
-  // largest. Membranes that slide begin at node 0, which is elsewhere in the image: 2e-4 in four of 200 scenes, others
-  // below 1.2e-8.
+  // largest.
   check_relation(
       {.turn = {-1, 0, 0, 1}}, [](const RandomScene& scene) { return !scene.has("tri3") && !scene.has("sharp"); },
-      6e-4);
+      1.2e-8);
 }
 
 TEST_CASE("Random scenes: turned by 90 degrees, all turns with them") {
