@@ -39,6 +39,7 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     cloth_.length[s] = std::max(least_length * membrane.rest_length[s], segment_length(membrane, s));
     cloth_.rest[s] = membrane.rest_length[s];
+    cloth_.tension[s] = membrane.tension[s];
     if (membrane.bed_shear.empty()) continue;
     const double half = 0.5 * membrane.bed_shear[s] * cloth_.length[s];
     cloth_.load[s] += half;
