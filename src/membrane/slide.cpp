@@ -126,17 +126,27 @@ void ClothSlide::solve_tridiagonal() {
   for (std::size_t k = 0; k < n; ++k) right_[k] -= share * corner_[k];
 }
 
-/// Along the direction as far as the energy falls; the whole way if the gradient is smaller there than ever.
-void ClothSlide::advance(double least_gradient) {
+/// Along the direction as far as the energy falls; the whole way if it still falls there, or the gradient is less than
+/// ever. Leaves q and the gradient there; returns its largest.
+double ClothSlide::advance(double least_gradient) {
   const auto go = [&](double part) {
     for (std::size_t s = 0; s < tension_.size(); ++s) trial_[s] = std::max(0.0, tension_[s] + part * right_[s]);
   };
+  const auto falls = [&] {
+    double rate = 0;
+    for (std::size_t s = 0; s < tension_.size(); ++s) rate += gradient_[s] * (trial_[s] - tension_[s]);
+    return rate < 0;
+  };
   go(1);
-  if (!(find_gradient(trial_) < 0.9 * least_gradient)) {
+  double now = find_gradient(trial_);
+  if (!(now < 0.9 * least_gradient) && !falls()) {
     const double before = energy(tension_);
-    for (double part = 1; part > 1e-6 && !(energy(trial_) < before); go(part)) part /= 2;
+    double part = 1;
+    for (; part > 1e-6 && !(energy(trial_) < before); go(part)) part /= 2;
+    if (part < 1) now = find_gradient(trial_);
   }
   tension_.swap(trial_);
+  return now;
 }
 
 bool ClothSlide::solve(Cloth& cloth) {
@@ -145,18 +155,14 @@ bool ClothSlide::solve(Cloth& cloth) {
   for (std::vector<double>* values : {&trial_, &gradient_, &lower_, &diagonal_, &upper_, &right_, &corner_, &factor_})
     values->resize(n);
   tension_ = cloth.tension;
-  double least = std::numeric_limits<double>::infinity();
-  int round = 0;
-  for (; round < most_rounds; ++round) {
-    const double now = find_gradient(tension_);
-    if (now < 1) break;
-    least = std::min(least, now);
+  double now = find_gradient(tension_), least = now;
+  for (int round = 0; round < most_rounds && now >= 1; ++round) {
     find_direction(tension_);
-    advance(least);
+    now = advance(least);
+    least = std::min(least, now);
   }
-  const bool done = round < most_rounds;
   for (std::size_t s = 0; s < n; ++s) cloth.rest[s] += cloth.passed[s] - cloth.passed[node_ahead(cloth, s)];
-  return done;
+  return now < 1;
 }
 
 void slide_freely(Cloth& cloth) {

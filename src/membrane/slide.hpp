@@ -51,7 +51,7 @@ class ClothSlide {
   double find_gradient(const std::vector<double>& tension);
   void find_direction(const std::vector<double>& tension);
   void solve_tridiagonal();
-  void advance(double least_gradient);
+  double advance(double least_gradient);
 
   Cloth* cloth_ = nullptr;
   std::vector<double> tension_, trial_, gradient_;
