@@ -2,6 +2,7 @@
 
 #include "scene/needs.hpp"
 
+#include "eddy_length.hpp"
 #include "silent_side.hpp"
 #include "viscous_boundary.hpp"
 
@@ -13,6 +14,17 @@ Row<2> boundaries_to_grid_row(const Scene& scene) {
             boundaries_to_grid(s, g, step.dt);
           })};
 }
+
+template <int Dim>
+Row<Dim> eddy_length_row(const Scene& scene) {
+  return {"eddy_length", Data::position | Data::membranes | Data::membrane_position, Data::material_state,
+          any_mixing_length(scene),
+          [outlines = NearOutlines()](State<Dim>& s, const Grids<Dim>& f, const StepContext&) mutable {
+            limit_eddies(f.front().layout, outlines, s);
+          }};
+}
+template Row<2> eddy_length_row<2>(const Scene&);
+template Row<3> eddy_length_row<3>(const Scene&);
 
 Row<2> silent_sides_row(const Scene& scene) {
   return {"silent_sides", Data::position, Data::absorbing_layers | Data::velocity | Data::mass | Data::volume_ratio,

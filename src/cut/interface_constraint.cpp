@@ -7,13 +7,17 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "grid/momentum.hpp"
+#include "grid/point_support.hpp"
 #include "interface_rows.hpp"
 #include "outline_pieces.hpp"
+#include "rough_wall.hpp"
 
 namespace geodrop {
 namespace {
@@ -27,6 +31,8 @@ struct Contact {
   double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
   bool joined = false;       ///< both sides have mass there
   double pressure = 0;       ///< [Pa]
+  double velocity = -1;      ///< of slipping, at a distance from the membrane [m/s]; < 0: not known there
+  double distance = 0;       ///< that one [m]
 
   bool over_soil() const { return !membrane->contents_pressure.empty(); }
   bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip && !over_soil(); }
@@ -38,8 +44,11 @@ struct Contact {
     const double taken = over_soil() ? membrane->contents_friction * inside : std::numeric_limits<double>::infinity();
     if (on_bed) return std::min(taken, std::max(0.0, membrane->bed_friction * (pressure - pore_pressure)));
     if (membrane->shear == Shear::no_slip) return taken;
-    const double velocity = slip / stretch.length;
-    return std::min(taken, 0.5 * membrane->fluid_density * membrane->wall_friction * velocity * velocity);
+    const bool far = membrane->shear == Shear::rough_wall && velocity >= 0;
+    const double u = far ? velocity : slip / stretch.length;
+    const double friction = membrane->shear == Shear::rough_wall ? rough_wall_friction(distance, membrane->roughness)
+                                                                 : membrane->wall_friction;
+    return std::min(taken, 0.5 * membrane->fluid_density * friction * u * u);
   }
 };
 
@@ -106,6 +115,56 @@ void look_for_bed(const Grid<2>& around, const CutCells& cells, const BedCells& 
   if (contact.on_bed) contact.pore_pressure = pore / soil;
 }
 
+/// Velocity of a field at a place by its nodes that have mass; empty where most of the splines are of others.
+std::optional<Vec4> velocity_at(const Grid<2>& grid, double x, double y) {
+  const GridLayout<2>& layout = grid.layout;
+  const std::array<double, 2> place{x, y};
+  for (int a = 0; a < 2; ++a)
+    if (!layout.periodic(a) && !(place[a] >= layout.lower[a] && place[a] <= layout.upper[a])) return {};
+  Vec4 sum{};
+  double weights = 0;
+  PointSupport<2>(layout, place, 0).for_each_node(layout, [&](int node, double weight) {
+    if (!(grid.sum[node][3] > 0)) return;
+    sum += weight * grid.velocity[node];
+    weights += weight;
+  });
+  if (weights < 0.5) return {};
+  return sum / weights;
+}
+
+/// The velocity of slipping beyond the layer of 1.5 to 2 cells beside the membrane, which the grid slows down: with
+/// that at the membrane the friction of a flat plate came out as half of what it is.
+void look_outside(const Grids<2>& grids, const CutCells& cells, Contact& contact) {
+  constexpr double cells_away = 1.75;
+  const Membrane<2>& membrane = *contact.membrane;
+  const GridLayout<2>& layout = grids.front().layout;
+  std::array<double, 2> middle{}, normal{};
+  double width = std::numeric_limits<double>::infinity();
+  for_each_piece(cells, contact.stretch, [&](const CutCells::Piece& piece) {
+    const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
+    const double share = 0.5 * (piece.from + piece.to), length = length_of(membrane, piece);
+    std::array<double, 2> way;
+    for (int a = 0; a < 2; ++a) {
+      way[a] = (piece.to - piece.from) * (membrane.x[a][to] - membrane.x[a][from]);
+      middle[a] += length * (membrane.x[a][from] + share * (membrane.x[a][to] - membrane.x[a][from]));
+    }
+    normal[0] += cells.sense * way[1];
+    normal[1] -= cells.sense * way[0];
+    width = std::min(width, least_width(layout, flat_of(layout, cells, piece.cell)));
+  });
+  contact.distance = 0.5 * width;
+  const double size = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1]);
+  if (!(size > 0 && contact.stretch.length > 0)) return;
+  for (int a = 0; a < 2; ++a) middle[a] /= contact.stretch.length, normal[a] /= size;
+  const double away = cells_away * width;
+  const auto water = velocity_at(grids.front(), middle[0] + away * normal[0], middle[1] + away * normal[1]);
+  const auto own = velocity_at(grids[membrane.field], middle[0], middle[1]);
+  if (!water || !own) return;
+  const Vec4 slip = *water - *own;
+  contact.velocity = std::abs(slip[1] * normal[0] - slip[0] * normal[1]);
+  contact.distance = away;
+}
+
 std::vector<Contact> find_contacts(State<2>& state, const Grids<2>& grids) {
   std::vector<Contact> contacts;
   const Grid<2>& around = grids.front();
@@ -116,6 +175,7 @@ std::vector<Contact> find_contacts(State<2>& state, const Grids<2>& grids) {
     for (const Stretch& stretch : wet_stretches(around, membrane, cells)) {
       contacts.push_back({&membrane, stretch});
       if (!membrane.bed.empty()) look_for_bed(around, cells, bed, contacts.back());
+      if (membrane.shear == Shear::rough_wall) look_outside(grids, cells, contacts.back());
       if (contacts.back().over_soil()) contacts.back().inside = pressure_inside(membrane, cells, stretch);
     }
   }

@@ -31,7 +31,7 @@ class Hasher {
 /// What only some particles, or none, have besides stress: it belongs to their law.
 template <int Dim>
 void add_material_state(const Body<Dim>& body, Hasher& hash) {
-  hash.add(body.deformation, body.pore_pressure, body.deviatoric_strain, body.gap);
+  hash.add(body.deformation, body.pore_pressure, body.deviatoric_strain, body.gap, body.eddy_length);
 }
 
 template <int Dim>
@@ -43,8 +43,8 @@ void add_constants(const Body<Dim>& body, Hasher& hash) {
 template <int Dim>
 void add_constants(const Membrane<Dim>& m, Hasher& hash) {
   hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
-           m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.drag_coefficient,
-           m.fluid_density);
+           m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.roughness,
+           m.drag_coefficient, m.fluid_density);
 }
 
 template <int Dim>

@@ -11,6 +11,7 @@
 #include "membrane_balance.hpp"
 #include "scene/needs.hpp"
 #include "strays.hpp"
+#include "water_force.hpp"
 
 namespace geodrop {
 namespace {
@@ -85,12 +86,17 @@ void list_balance(HistoryRow& row, const Scene& scene, const State<2>* state) {
 void list_balance(HistoryRow&, const Scene&, const State<3>*) {}
 
 /// Of sharp membranes, which are for the plane.
-void list_strays(HistoryRow& row, const Scene& scene, const State<2>* state) {
-  for (std::size_t m = 0; m < scene.membranes.size(); ++m)
-    if (scene.membranes[m].interface == Interface::sharp)
-      row.add(scene.membranes[m].name + ".strays_m2", state ? strays_inside(*state, state->membranes[m]) : 0);
+void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
+    if (scene.membranes[m].interface != Interface::sharp) continue;
+    const std::string& name = scene.membranes[m].name;
+    const WaterForce force = state ? water_force(state->membranes[m]) : WaterForce{};
+    row.add_vector(name + ".pressure_force", "N_m", force.pressure, 2);
+    row.add_vector(name + ".friction_force", "N_m", force.friction, 2);
+    row.add(name + ".strays_m2", state ? strays_inside(*state, state->membranes[m]) : 0);
+  }
 }
-void list_strays(HistoryRow&, const Scene&, const State<3>*) {}
+void list_sharp(HistoryRow&, const Scene&, const State<3>*) {}
 
 /// Sums over all points in contact, in the step before.
 template <int Dim>
@@ -163,7 +169,7 @@ HistoryRow list(const Scene& scene, const State<Dim>* state, const HistoryTable&
     list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
                   scene.membranes[m].closed);
   list_balance(row, scene, state);
-  list_strays(row, scene, state);
+  list_sharp(row, scene, state);
   for (const RigidSpec& rigid : scene.rigid)
     if (!std::holds_alternative<std::monostate>(rigid.motion))
       list_rigid(row, rigid.name, state ? find_named(state->rigid, rigid.name) : RigidBody<Dim>{});

@@ -57,4 +57,12 @@ bool any_membrane_slides(const Scene& scene) {
                      [&](const MembraneSpec& membrane) { return slides(scene, membrane); });
 }
 
+bool any_mixing_length(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
+    const MaterialSpec* material = find_material(scene, body.material);
+    const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+    return fluid && fluid->mixing_length > 0;
+  });
+}
+
 }  // namespace geodrop

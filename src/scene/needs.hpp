@@ -23,5 +23,7 @@ bool slides(const Scene& scene, const MembraneSpec& membrane);
 bool any_membrane_slides(const Scene& scene);
 
 bool any_tracer(const Scene& scene);
+/// A body is of a fluid with eddies that the grid does not resolve.
+bool any_mixing_length(const Scene& scene);
 
 }  // namespace geodrop

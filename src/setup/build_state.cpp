@@ -165,6 +165,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   if (membrane.sharp) {
     membrane.shear = spec.shear;
     membrane.wall_friction = spec.wall_friction;
+    membrane.roughness = spec.roughness;
     membrane.drag_coefficient = spec.drag_coefficient;
     if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
     membrane.water_pressure.assign(segments, 0.0);

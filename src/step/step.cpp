@@ -55,6 +55,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     nodal_rate_row<Dim>,
     enclosed_rate_row,
     hold_shift_row,
+    eddy_length_row<Dim>,
     grid_to_particles_row<Dim>,
     silent_sides_row,
     grid_to_membranes_row<Dim>,

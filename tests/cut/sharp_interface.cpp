@@ -82,8 +82,10 @@ std::pair<double, double> flow_and_rates(const Grid<2>& grid) {
 TEST_CASE("Joining conserves momentum to round-off, also where nodes are nearly empty") {
   const std::vector<std::string> sticks = {"membranes.geotextile.shear=no_slip"},
                                  rubs = {"membranes.geotextile.shear=wall_law",
-                                         "membranes.geotextile.wall_friction=0.5"};
-  for (const auto& settings : {uniform, graded, sticks, rubs}) {
+                                         "membranes.geotextile.wall_friction=0.5"},
+                                 rough = {"membranes.geotextile.shear=rough_wall",
+                                          "membranes.geotextile.roughness=0.5"};
+  for (const auto& settings : {uniform, graded, sticks, rubs, rough}) {
     Fall fall(settings);
     fall.scramble_velocities(1);
     const auto inside = fall.momentum(1), around = fall.momentum(0);

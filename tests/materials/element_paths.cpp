@@ -179,19 +179,19 @@ TEST_CASE("The given volume change replaces the trace, and the deviator is kept"
 
 TEST_CASE("A Newtonian deviator is 2 mu dev(D), whatever the spin") {
   const Newtonian thin{1000, 1e6, 8.9e-4}, thick{1000, 1e6, 0.5};
-  const auto shear = viscous_stress<2, double>(thin, 1, {0, 3, 1, 0});
+  const auto shear = viscous_stress<2, double>(thin, 1, {0, 3, 1, 0}, thin.mixing_length);
   CHECK(largest_difference(shear, {0, 0, 0, 2 * 8.9e-4 * 2}) < 1e-18);
-  const auto stretch = viscous_stress<2, double>(thick, 0.1, {0.3, 0, 0, 0});
+  const auto stretch = viscous_stress<2, double>(thick, 0.1, {0.3, 0, 0, 0}, thick.mixing_length);
   CHECK(largest_difference(stretch, {2, -1, -1, 0}) < 1e-15);
-  const auto full = viscous_stress<3, double>(thick, 1, {0, 1, 2, 1, 0, 5, 4, 1, 3});
+  const auto full = viscous_stress<3, double>(thick, 1, {0, 1, 2, 1, 0, 5, 4, 1, 3}, thick.mixing_length);
   CHECK(largest_difference(full, {-1, -1, 2, 1, 3, 3}) < 1e-15);
 }
 
 TEST_CASE("Eddies add rho l^2 du/dy to the viscosity") {
   const Newtonian fluid{1000, 1e6, 0.5, 0.2};
-  const auto shear = viscous_stress<2, double>(fluid, 0.1, {0, 0.3, 0, 0});  // du/dy = 3 /s
+  const auto shear = viscous_stress<2, double>(fluid, 0.1, {0, 0.3, 0, 0}, fluid.mixing_length);  // du/dy = 3 /s
   CHECK(largest_difference(shear, {0, 0, 0, (0.5 + 1000 * 0.04 * 3) * 3}) < 1e-12);
-  const auto spin = viscous_stress<2, double>(fluid, 0.1, {0, 0.3, -0.3, 0});
+  const auto spin = viscous_stress<2, double>(fluid, 0.1, {0, 0.3, -0.3, 0}, fluid.mixing_length);
   CHECK(largest_difference(spin, {}) < 1e-12);
 }
 

@@ -6,6 +6,7 @@
 
 #include "measure/probes/pressure_probe.hpp"
 #include "measure/strays.hpp"
+#include "measure/water_force.hpp"
 #include "support/near.hpp"
 #include "support/small_state.hpp"
 
@@ -33,6 +34,28 @@ TEST_CASE("Water inside a membrane is counted by its volume, its own body is not
   CHECK(strays_inside(state, state.membranes[0]) == near(1.0, 1e-12));  // two of 0.5 m2
   state.membranes[0].body = "pool";
   CHECK(strays_inside(state, state.membranes[0]) == 0);
+}
+
+TEST_CASE("Pressure pushes a membrane inwards, whichever way its nodes run, and friction drags it along") {
+  for (const bool clockwise : {false, true}) {
+    CAPTURE(clockwise);
+    Membrane<2> square = square_membrane();
+    if (clockwise)
+      for (auto& x : square.x) std::reverse(x.begin(), x.end());
+    const std::size_t n = square.nodes();
+    square.water_pressure.assign(n, 0.0);
+    square.water_shear.assign(n, 0.0);
+    for (std::size_t s = 0; s < n; ++s) {  // p = 100 - 10 y at the middle of a segment: 10 times the area upwards
+      const std::size_t end = (s + 1) % n;
+      square.water_pressure[s] = 100 - 5 * (square.x[1][s] + square.x[1][end]);
+      square.water_shear[s] = square.x[0][end] > square.x[0][s] ? 3 : 0;
+    }
+    const WaterForce force = water_force(square);
+    CHECK(force.pressure[0] == within(0, 1e-12));
+    CHECK(force.pressure[1] == near(40, 1e-12));
+    CHECK(force.friction[0] == near(6, 1e-12));
+    CHECK(force.friction[1] == within(0, 1e-12));
+  }
 }
 
 TEST_CASE("Errors of pressure near the tips of a membrane count apart") {

@@ -163,7 +163,7 @@ TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
 
 TEST_CASE("membranes, probes and results as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.membranes.size() == 2);
+  REQUIRE(scene.membranes.size() == 3);
   CHECK(scene.membranes[0].points.empty());
   CHECK(scene.membranes[0].axial_stiffness == 1e6);
   CHECK(scene.membranes[0].slack == 0.01);
@@ -177,6 +177,8 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[0].wall_friction == 0.01);
   CHECK(scene.membranes[0].drag_coefficient == 1.0);
   CHECK(scene.membranes[1].interface == Interface::mixture);
+  CHECK(scene.membranes[2].shear == Shear::rough_wall);
+  CHECK(scene.membranes[2].roughness == 0.003);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
   REQUIRE(scene.probes.size() == 9);

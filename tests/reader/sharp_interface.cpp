@@ -37,6 +37,10 @@ TEST_CASE("What hinders water is said, once, and where there is water") {
   check_refused({membrane + "shear=sticky"}, membrane + "shear: found \"sticky\"");
   check_refused({membrane + "wall_friction=0.004"}, membrane + "wall_friction");
   check_refused({membrane + "shear=wall_law"}, membrane + "wall_friction");
+  check_refused({membrane + "shear=none"}, membrane + "roughness");
+  check_refused({membrane + "shear=rough_wall", membrane + "roughness=0"}, membrane + "roughness: found 0");
+  check_refused({membrane + "shear=no_slip", "materials.water.mixing_length=0.1"},
+                membrane + "shear: found \"no_slip\" in a fluid with mixing_length = 0.1");
   const std::vector<std::string> dry = {"bodies.water.material=subsoil", "bodies.water.shift=false",
                                         "bodies.water.initial_stress={type='zero'}"};
   const auto refused_dry = [&](std::vector<std::string> overrides, const std::string& says) {
@@ -45,6 +49,8 @@ TEST_CASE("What hinders water is said, once, and where there is water") {
   };
   refused_dry({membrane + "shear=wall_law", membrane + "wall_friction=0.004"},
               membrane + "shear: found \"wall_law\" without a fluid around");
+  refused_dry({membrane + "shear=rough_wall", membrane + "roughness=0.003"},
+              membrane + "shear: found \"rough_wall\" without a fluid around");
   refused_dry({membrane + "drag_coefficient=1.2"}, membrane + "drag_coefficient: found 1.2 without a fluid around");
 }
 

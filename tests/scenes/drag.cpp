@@ -31,17 +31,6 @@ TEST_CASE("A cylinder that water sticks to sinks between walls as creeping flow 
   CHECK(result(scene, {"membranes.skin.shear=none"}, "velocity_m_s") > 1.2 * exact);  // slipping, it sinks faster
 }
 
-TEST_CASE("Eddies of one mixing length give a channel its profile") {
-  const SceneRun run("tests/scenes/mixing_channel.toml");
-  REQUIRE(run.outcome().code == 0);
-  const auto exact = [](double x) {
-    return -2.0 / 3 * std::sqrt(0.08) / 0.1 * (std::pow(0.5, 1.5) - std::pow(0.5 - x, 1.5));
-  };
-  CHECK(last_of(run, "x1.velocity_y_m_s") == near(exact(0.1), 0.002));
-  CHECK(last_of(run, "x3.velocity_y_m_s") == near(exact(0.3), 0.0006));
-  CHECK(last_of(run, "x5.velocity_y_m_s") == near(exact(0.5), 0.009));
-}
-
 TEST_CASE("With a drag coefficient an ellipse comes to its terminal velocity") {
   const SceneRun run("cases/ellipse_release.toml",
                      {"grid.spacing=0.5", "materials.water.sound_speed=60.0", "time.end=2.5",

@@ -30,6 +30,7 @@ struct StateVariables {
   Array<double> pore_pressure;                       ///< undrained soil [Pa]
   Array<double> deviatoric_strain;                   ///< soil: accumulated sqrt(2/3 e:e) [-]
   Array<double> gap;                                 ///< soil with void memory: volume of open voids over its own [-]
+  Array<double> eddy_length;                         ///< fluid with a mixing length: that, limited near walls [m]
 };
 
 template <int Dim>
@@ -40,7 +41,8 @@ inline constexpr auto state_variables = [] {
                     field<per_particle | gathered>("deformation", "-", &S::deformation),
                     field<per_particle | scattered | gathered | shown>("pore_pressure", "Pa", &S::pore_pressure),
                     field<per_particle | gathered | shown>("deviatoric_strain", "-", &S::deviatoric_strain),
-                    field<per_particle | gathered | shown_if_any>("gap", "-", &S::gap)};
+                    field<per_particle | gathered | shown_if_any>("gap", "-", &S::gap),
+                    field<per_particle | gathered>("eddy_length", "m", &S::eddy_length)};
 }();
 
 /// Newtonian, weakly compressible: p = K (rho / rho0 - 1), at least -tension_cutoff; deviator 2 mu dev(D).
@@ -48,12 +50,13 @@ struct NewtonianSpec {
   double density = 0;        ///< at zero pressure [kg/m3]
   double bulk_modulus = 0;   ///< [Pa]; the scene may give sound_speed instead, K = rho c^2
   double viscosity = 0;      ///< dynamic [Pa s]
-  double mixing_length = 0;  ///< of eddies that are not resolved [m]; 0: none
+  double mixing_length = 0;  ///< of eddies that are not resolved, far from walls [m]; 0: none
   double tension_cutoff = std::numeric_limits<double>::infinity();  ///< largest suction [Pa]; infinite: any
   bool operator==(const NewtonianSpec&) const = default;
 };
 /// p = K (1/J - 1), deviator 2 (mu + mu_t) dev(D). J = rho0 / rho. Eddies smaller than the mixing length l mix as
-/// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963). Water that cavitates keeps p = -T however
+/// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963); near walls l is less, see
+/// boundary/eddy_length. Water that cavitates keeps p = -T however
 /// far it opens: p is a function of J all the same, so that voids close again without a loss of volume.
 struct Newtonian {
   double density;                                                   ///< rho0 [kg/m3]
@@ -68,6 +71,7 @@ struct Newtonian {
 
   void state(auto& points, auto f) const {
     if (viscous()) f(points.stress);
+    if (mixing_length > 0) f(points.eddy_length);
   }
 };
 

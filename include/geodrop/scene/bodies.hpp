@@ -40,9 +40,10 @@ enum class Interface {
 };
 /// What hinders the fluid around that slips along a sharp interface.
 enum class Shear {
-  none,      ///< nothing
-  wall_law,  ///< tau = 1/2 rho C_f |u| u, u the velocity of slipping
-  no_slip    ///< it sticks
+  none,        ///< nothing
+  wall_law,    ///< tau = 1/2 rho C_f |u| u, u the velocity of slipping
+  rough_wall,  ///< the same, C_f from the logarithmic law of a rough wall
+  no_slip      ///< it sticks
 };
 struct MembraneSpec {
   std::string name;
@@ -59,6 +60,7 @@ struct MembraneSpec {
   Interface interface = Interface::mixture;
   Shear shear = Shear::none;
   double wall_friction = 0;     ///< C_f of Shear::wall_law [-]
+  double roughness = 0;         ///< k_s of Shear::rough_wall [m]
   double drag_coefficient = 0;  ///< C_d of a drag that the fluid does not feel, on the width across the motion [-]
   std::string bed;              ///< body around that a sharp membrane rubs on; empty: none
   double bed_friction = 0;      ///< on it [-]

@@ -84,6 +84,7 @@ struct Membrane {
   double bed_friction = 0;       ///< mu on it [-]
   Shear shear = Shear::none;     ///< of the fluid around
   double wall_friction = 0;      ///< C_f of Shear::wall_law [-]
+  double roughness = 0;          ///< k_s of Shear::rough_wall [m]
   double drag_coefficient = 0;   ///< C_d of a drag that the fluid does not feel [-]
   double fluid_density = 0;      ///< of the fluid around [kg/m3]; 0: there is none
   Array<double> water_pressure;  ///< segments: of what is around [Pa]; else empty

@@ -1,0 +1,22 @@
+#include "water_force.hpp"
+
+#include "geometry/polygon.hpp"
+
+namespace geodrop {
+
+WaterForce water_force(const Membrane<2>& membrane) {
+  const auto& [x, y] = membrane.x;
+  const double sense = signed_area(x, y) > 0 ? 1 : -1;
+  WaterForce force;
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    const std::size_t end = end_of_edge(s, membrane.nodes());
+    const double dx = x[end] - x[s], dy = y[end] - y[s];
+    force.pressure[0] -= sense * membrane.water_pressure[s] * dy;
+    force.pressure[1] += sense * membrane.water_pressure[s] * dx;
+    force.friction[0] += membrane.water_shear[s] * dx;
+    force.friction[1] += membrane.water_shear[s] * dy;
+  }
+  return force;
+}
+
+}  // namespace geodrop

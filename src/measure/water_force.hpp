@@ -1,0 +1,18 @@
+// What the water around a sharp membrane does to it.
+#pragma once
+
+#include <geodrop/state/state.hpp>
+
+#include <array>
+
+namespace geodrop {
+
+/// Forces per metre of depth on the whole membrane, in the step before [N/m].
+struct WaterForce {
+  std::array<double, 2> pressure{}, friction{};
+};
+
+/// Sums of the tractions of its segments: the pressure pushes inwards, the friction along.
+WaterForce water_force(const Membrane<2>& membrane);
+
+}  // namespace geodrop
