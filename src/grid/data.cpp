@@ -171,6 +171,9 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
       return add_array(grid.volume_rate, hash);
     case Data::nodal_pressure:
       return hash.add(grid.node_volume, grid.node_pressure, grid.node_rate);
+    case Data::pore_space:
+      hash.add(grid.grain_volume, grid.drag_resistance, grid.occupied, grid.pore_share, grid.node_drag);
+      return add_array(grid.mixture_velocity, hash);
     default:
       return add_cells_of_bodies(item, grid, hash);
   }
@@ -215,7 +218,8 @@ constexpr std::string_view names[] = {"time",
                                       "volume rate of cells",
                                       "nodal pressure",
                                       "enclosed cells",
-                                      "cut cells"};
+                                      "cut cells",
+                                      "pore space"};
 static_assert(std::size(names) == static_cast<std::size_t>(Data::count));
 
 }  // namespace

@@ -24,13 +24,21 @@ Row<Dim> sort_particles_row(const Scene&) {
 }
 
 template <int Dim>
+Row<Dim> fold_walls_row(const Scene&) {
+  return {"fold_walls",
+          {},
+          Data::nodal_sums | Data::nodal_force,
+          true,
+          each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) { fold_walls(g); })};
+}
+
+template <int Dim>
 Row<Dim> momentum_row(const Scene& scene) {
   std::array<double, Dim> gravity;
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
-  return {"momentum", Data::nodal_sums | Data::nodal_force | Data::cell_pressure,
-          Data::nodal_sums | Data::nodal_force | Data::nodal_velocity | Data::velocity_change, true,
+  return {"momentum", Data::nodal_sums | Data::nodal_force | Data::cell_pressure | Data::pore_space,
+          Data::nodal_velocity | Data::velocity_change, true,
           each_field<Dim>([gravity](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
-            fold_walls(g);
             update_momentum<Dim>(g, gravity, step.dt);
           })};
 }
@@ -54,6 +62,7 @@ Row<Dim> volume_rate_row(const Scene& scene) {
 
 #define GEODROP_INSTANTIATE(D)                          \
   template Row<D> sort_particles_row<D>(const Scene&);  \
+  template Row<D> fold_walls_row<D>(const Scene&);      \
   template Row<D> momentum_row<D>(const Scene&);        \
   template Row<D> mass_correction_row<D>(const Scene&); \
   template Row<D> volume_rate_row<D>(const Scene&);

@@ -33,4 +33,14 @@ bool any_membrane_load(const Scene& scene) {
          any_body_with(scene, PressureSupport::enclosed);
 }
 
+bool any_pores(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const BodySpec& body) { return !body.saturated_by.empty(); });
+}
+
+bool saturates(const Scene& scene, const std::string& body) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const BodySpec& soil) { return soil.saturated_by == body; });
+}
+
 }  // namespace geodrop

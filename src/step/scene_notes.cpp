@@ -43,7 +43,7 @@ const BodySpec* open_fluid(const Scene& scene) {
 /// Drained soil under water has no pore water that would carry the water's pressure: its skeleton does.
 std::string drained_under_water(const Scene& scene, const BodySpec& body) {
   const auto* soil = std::get_if<MohrCoulombSpec>(&find_material(scene, body.material)->model);
-  if (!soil || soil->undrained) return {};
+  if (!soil || soil->undrained() || soil->coupled()) return {};
   const std::optional<HydrostaticSpec> fluid = fluid_around(scene, body);
   const BodySpec* open = open_fluid(scene);
   const std::string drained =

@@ -93,10 +93,10 @@ TEST_CASE("grains, water and gas become a density and a pore fluid, by hand") {
   CHECK_FALSE(model_of<MohrCoulombSpec>(scene, "fill").undrained);
   const auto& silt = model_of<MohrCoulombSpec>(scene, "silt");
   CHECK(silt.density == 1950);
-  REQUIRE(silt.undrained);
-  CHECK(silt.undrained->porosity == 0.4);
+  REQUIRE(silt.undrained());
+  CHECK(silt.undrained()->porosity == 0.4);
   // 1 / (0.9 / 2.13e9 + 0.1 / 2e5): far below 20 K' n, which only a fluid without gas is held to
-  CHECK(silt.undrained->fluid_bulk_modulus == near(1.998311e6, 4e-7));
+  CHECK(silt.undrained()->fluid_bulk_modulus == near(1.998311e6, 4e-7));
   const std::vector<std::string> undrained{"materials.fill.drainage=undrained", "materials.fill.saturation=1.0",
                                            "materials.fill.water_bulk_modulus=2.13e9",
                                            "materials.fill.gas_pressure=2e5"};

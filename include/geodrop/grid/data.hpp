@@ -54,6 +54,7 @@ enum class Data : std::uint8_t {
   nodal_pressure,
   enclosed_cells,
   cut_cells,
+  pore_space,
   count
 };
 

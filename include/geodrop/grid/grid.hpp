@@ -161,7 +161,9 @@ enum : unsigned {
   for_consistent = 128,  ///< MassMatrix::consistent
   for_cells = 256,       ///< PressureSupport::cell, particles that shift
   for_nodal = 512,       ///< PressureSupport::nodal
-  for_sharp = 1024       ///< fields that meet at a sharp interface
+  for_sharp = 1024,      ///< fields that meet at a sharp interface
+  for_pores = 2048,      ///< coupled soils
+  for_pore_water = 4096  ///< the fluid in their pores
 };
 }  // namespace grid_role
 
@@ -185,6 +187,15 @@ struct GridFields {
   Array<double> node_rate;      ///< sum N V_p tr L_p, then their mean D_i [1/s]
 
   Array<double> taken;  ///< share of each cell that bodies of other fields have [-]
+
+  // See pores/pores. Of a soil's field:
+  Array<double> grain_volume;     ///< of a cell [m3]
+  Array<double> drag_resistance;  ///< sum n^2 gamma_w V_p / k of a cell [N s/m]
+  // Of the field of the water:
+  Array<double> occupied;        ///< volume of grains in a cell [m3]
+  Array<double> pore_share;      ///< n at the nodes: share of the pressure's force that acts on the water [-]
+  Array<double> node_drag;       ///< drag_resistance at the nodes [N s/m]
+  Array<Vec4> mixture_velocity;  ///< n v_w + (1 - n) v_s [m/s]
 };
 
 inline constexpr auto grid_fields = [] {
@@ -203,7 +214,13 @@ inline constexpr auto grid_fields = [] {
                     field<for_nodal | summed>("node_volume", "m3", &G::node_volume),
                     field<for_nodal | summed>("node_pressure", "Pa", &G::node_pressure),
                     field<for_nodal | summed>("node_rate", "1/s", &G::node_rate),
-                    field<for_sharp>("taken", "-", &G::taken)};
+                    field<for_sharp>("taken", "-", &G::taken),
+                    field<for_pores | summed>("grain_volume", "m3", &G::grain_volume),
+                    field<for_pores | summed>("drag_resistance", "N s/m", &G::drag_resistance),
+                    field<for_pore_water | zero_asleep>("occupied", "m3", &G::occupied),
+                    field<for_pore_water | zero_asleep>("pore_share", "-", &G::pore_share),
+                    field<for_pore_water | zero_asleep>("node_drag", "N s/m", &G::node_drag),
+                    field<for_pore_water | zero_asleep>("mixture_velocity", "m/s", &G::mixture_velocity)};
 }();
 
 constexpr const auto& fields_of(const GridFields&) { return grid_fields; }

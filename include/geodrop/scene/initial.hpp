@@ -34,11 +34,17 @@ struct FluidPressureSpec {
   HydrostaticSpec fluid;
   bool operator==(const FluidPressureSpec&) const = default;
 };
+/// The same pressure everywhere: of a fluid; in a solid effective stress -p I.
+struct UniformPressureSpec {
+  double pressure = 0;  ///< compression positive [Pa]
+  bool operator==(const UniformPressureSpec&) const = default;
+};
 /// Velocity or stress of the exact solution that the body follows, see ExactSpec.
 struct FromExactSpec {
   bool operator==(const FromExactSpec&) const = default;
 };
-using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec, FromExactSpec>;
+using InitialStress =
+    std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec, FromExactSpec, UniformPressureSpec>;
 
 /// The same velocity everywhere (also what `type = "rest"` becomes).
 struct UniformVelocitySpec {

@@ -71,7 +71,8 @@ void check_still_fluid(const BodyView& view) {
 
 void check_gravity(const BodyView& view) {
   if (std::holds_alternative<ZeroStressSpec>(view.body.initial_stress) ||
-      std::holds_alternative<FromExactSpec>(view.body.initial_stress) || !view.report.healthy("gravity") ||
+      std::holds_alternative<FromExactSpec>(view.body.initial_stress) ||
+      std::holds_alternative<UniformPressureSpec>(view.body.initial_stress) || !view.report.healthy("gravity") ||
       !view.report.healthy(view.stress()))
     return;
   const Point& gravity = view.scene.gravity;
@@ -97,9 +98,12 @@ FootStress foot_stress(const BodyView& view, const K0StressSpec& k0, const MohrC
   const double g = -view.scene.gravity.back();
   const double depth = std::max(0.0, k0.surface - box.lower.back());
   const MaterialSpec* fluid = k0.fluid ? find_material(view.scene, k0.fluid->fluid) : nullptr;
-  if (!fluid) return {soil.density * g * depth, 0};
+  const BodySpec* water = find_body(view.scene, view.body.saturated_by);
+  const MaterialSpec* in_pores = water && soil.coupled() ? find_material(view.scene, water->material) : nullptr;
+  const double mixture = soil.density + (in_pores ? soil.coupled()->porosity * density(*in_pores) : 0.0);
+  if (!fluid) return {mixture * g * depth, 0};
   const double pressure = density(*fluid) * g * (std::max(0.0, k0.fluid->surface - k0.surface) + depth);
-  return {(soil.density - density(*fluid)) * g * depth, soil.undrained ? 0 : pressure};
+  return {(mixture - density(*fluid)) * g * depth, soil.undrained() || soil.coupled() ? 0 : pressure};
 }
 
 /// Strength and stress grow in proportion to depth, cohesion does not: the foot of the body yields first.
