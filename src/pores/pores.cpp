@@ -61,7 +61,7 @@ double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, cons
 
 double PoreSoil::resistance(double n) const {
   const auto kozeny = [](double of) { return std::pow(of, 3) / std::pow(1 - of, 2); };
-  return n * n * water_unit_weight / (conductivity * kozeny(n) / kozeny(porosity));
+  return water_unit_weight / (conductivity * kozeny(n) / kozeny(porosity));
 }
 
 std::vector<PoreSoil> pore_soils(const Scene& scene) {
@@ -128,7 +128,10 @@ void share_pore_pressure(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) 
         const int flat = begin + k;
         const double grains = at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
         around.pore_share[flat] = std::max(0.0, 1 - grains);
-        around.node_drag[flat] = grains > 0 ? at_node<Dim>(grid, grid.drag_resistance, flat, node) : 0.0;
+        // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil water
+        // leaves as if the soil ended half a cell lower.
+        const double n = around.pore_share[flat];
+        around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(grid, grid.drag_resistance, flat, node) : 0.0;
         if (grid.sum[flat][3] <= 0) continue;
         for (int a = 0; a < Dim; ++a) grid.force[flat][a] += (1 - around.pore_share[flat]) * force[a][k];
       }

@@ -31,7 +31,7 @@ struct PoreSoil {
 
   /// n of a particle that has the volume ratio J.
   double porosity_at(double J) const { return 1 - (1 - porosity) / J; }
-  /// n^2 gamma_w / k: drag per volume and relative velocity [N s/m4].
+  /// gamma_w / k: times n^2 the drag per volume and relative velocity [N s/m4].
   double resistance(double n) const;
 };
 

@@ -11,7 +11,8 @@ template <int Dim>
 Row<Dim> clear_grid_row(const Scene&) {
   return {"clear_grid",
           {},
-          Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_pressure | Data::nodal_pressure,
+          Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_pressure | Data::nodal_pressure |
+              Data::pore_space,
           true,
           each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) { clear_grid(g); })};
 }

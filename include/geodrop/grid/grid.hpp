@@ -190,11 +190,11 @@ struct GridFields {
 
   // See pores/pores. Of a soil's field:
   Array<double> grain_volume;     ///< of a cell [m3]
-  Array<double> drag_resistance;  ///< sum n^2 gamma_w V_p / k of a cell [N s/m]
+  Array<double> drag_resistance;  ///< sum gamma_w V_p / k of a cell [N s/m]
   // Of the field of the water:
   Array<double> occupied;        ///< volume of grains in a cell [m3]
   Array<double> pore_share;      ///< n at the nodes: share of the pressure's force that acts on the water [-]
-  Array<double> node_drag;       ///< drag_resistance at the nodes [N s/m]
+  Array<double> node_drag;       ///< n^2 drag_resistance at the nodes [N s/m]
   Array<Vec4> mixture_velocity;  ///< n v_w + (1 - n) v_s [m/s]
 };
 
