@@ -37,8 +37,8 @@ endif()
 set(GEODROP_TEST_OPTIONS -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
 
 if(GEODROP_SANITIZE)
-  set(GEODROP_TEST_OPTIONS -O0)
-  target_compile_options(geodrop_flags INTERFACE -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined
-                         -fno-sanitize-recover=all)
+  set(GEODROP_TEST_OPTIONS "")
+  target_compile_options(geodrop_flags INTERFACE $<IF:$<STREQUAL:$<TARGET_PROPERTY:NAME>,geodrop_tests>,-O0,-O1> -g1
+                         -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all)
   target_link_options(geodrop_flags INTERFACE -fsanitize=address,undefined)
 endif()

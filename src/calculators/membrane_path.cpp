@@ -36,7 +36,7 @@ MembranePath::MembranePath(const MembraneLoad& load, double longest) : longest_(
 PathPoint MembranePath::at(double s) const {
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), s,
                                       [](double wanted, const Piece& piece) { return wanted < piece.s; });
-  const Piece& piece = *std::prev(after);
+  const Piece& piece = after == pieces_.begin() ? pieces_.front() : *std::prev(after);  // s may be a rounding below 0
   return piece.point((s - piece.s) / piece.length);
 }
 

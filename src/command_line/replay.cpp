@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "files/hash_file.hpp"
+#include "membrane/tension_gauge.hpp"
 #include "step/parts.hpp"
 #include "transfer/levels.hpp"
 
@@ -63,7 +64,7 @@ struct Replay {
 template <int Dim>
 HashRow step_to(const HashRow& row, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids) {
   if (state.step > 0)
-    for (Membrane<Dim>& membrane : state.membranes) membrane.tension_peak = 0;
+    for (Membrane<Dim>& membrane : state.membranes) restart_peak(membrane.gauge);
   while (state.step < row.step) advance(pipeline, state, grids);
   return {state.t, state.step, state_hash(state)};
 }

@@ -6,6 +6,7 @@
 
 #include "membrane_contact.hpp"
 #include "rigid_surface.hpp"
+#include "shift_at_rigid.hpp"
 #include "surface_contact.hpp"
 
 namespace geodrop {
@@ -20,10 +21,22 @@ Row<2> membrane_contact_row(const Scene& scene) {
 }
 
 Row<2> particle_contact_row(const Scene& scene) {
-  return {"particle_contact", Data::position | Data::velocity | Data::rigid_bodies,
+  return {"particle_contact", Data::position | Data::velocity | Data::rigid_bodies | Data::nodal_sums,
           Data::contacts | Data::nodal_sums | Data::nodal_force,
           any_contact_of(scene, ContactPair::Kind::body_on_rigid),
           each_field<2>([](State<2>& s, Grid<2>& g, const StepContext& step) { contact_to_grid(s, g, step.dt); })};
+}
+
+Row<2> rigid_share_row(const Scene& scene) {
+  return {"rigid_share", Data::rigid_bodies | Data::contacts | Data::active_blocks, Data::rigid_share,
+          any_body_shifts(scene) && any_contact_of(scene, ContactPair::Kind::body_on_rigid),
+          each_field<2>([](const State<2>& s, Grid<2>& g, const StepContext&) { find_rigid_share(s, g); })};
+}
+
+Row<2> hold_shift_row(const Scene& scene) {
+  return {"hold_shift", Data::rigid_bodies | Data::contacts | Data::velocity | Data::nodal_velocity | Data::cell_flags,
+          Data::position, any_body_shifts(scene) && any_contact_of(scene, ContactPair::Kind::body_on_rigid),
+          each_field<2>([](State<2>& s, const Grid<2>& g, const StepContext& step) { hold_shift(s, g, step.dt); })};
 }
 
 Row<2> move_rigid_bodies_row(const Scene& scene) {

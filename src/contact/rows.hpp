@@ -7,6 +7,8 @@ namespace geodrop {
 
 Row<2> membrane_contact_row(const Scene& scene);
 Row<2> particle_contact_row(const Scene& scene);
+Row<2> rigid_share_row(const Scene& scene);
+Row<2> hold_shift_row(const Scene& scene);
 Row<2> move_rigid_bodies_row(const Scene& scene);
 
 }  // namespace geodrop

@@ -9,6 +9,7 @@
 
 #include "grid/point_support.hpp"
 #include "membrane/bounds.hpp"
+#include "near_surface.hpp"
 #include "node_length.hpp"
 #include "penalty.hpp"
 
@@ -77,9 +78,9 @@ void add_membrane_contact(const RigidSurface& surface, double dt, Membrane<2>& m
   if (surface.may_touch(box.lower, box.upper, 0))
     for (std::uint32_t k = 0; k < membrane.nodes(); ++k)
       points.push_back({k, vector_at(membrane.x, k), vector_at(membrane.v, k), node_length(membrane, k), 0});
-  const std::vector<Vec<2>> forces = contact_forces(surface, points, dt, contact);
+  const std::vector<SurfaceForce> forces = contact_forces(surface, points, dt, contact);
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (int a = 0; a < 2; ++a) membrane.load[a][points[i].id] += forces[i][a];
+    for (int a = 0; a < 2; ++a) membrane.load[a][points[i].id] += forces[i].force[a];
 }
 
 /// Half the width of each particle, by id; of those that an outline cuts, their distance from it (no less than a share
@@ -104,66 +105,115 @@ double particle_length(const Body<2>& body, std::size_t p, double reach) {
   return body.mass[p] / (reference_density(body.material) * 2 * reach);
 }
 
-/// The particles of a slab that may touch: a box around the slab, a cell of drift included, is looked at first.
-void find_in_slab(const RigidSurface& surface, const GridLayout<2>& layout, const Body<2>& body,
-                  const RigidContact<2>& contact, int slab, std::vector<ContactPoint>& found) {
-  const std::size_t begin = body.slab_begin[slab], end = body.slab_begin[slab + 1];
-  if (begin == end) return;
-  const double reach = layout.h;  // no particle is wider
-  const auto level = [&](int row) {
-    return layout.node(1, std::clamp(row, -GridLayout<2>::pad, layout.cells[1] + GridLayout<2>::pad - 1));
-  };
-  const Vec<2> lower(layout.lower[0], level(slab * slab_width<2> - 2));
-  const Vec<2> upper(layout.upper[0], level((slab + 1) * slab_width<2> + 1));
-  if (!surface.may_touch(lower, upper, reach)) return;
-  for (std::size_t p = begin; p < end; ++p) {
-    const Vec<2> x = vector_at(body.x, p);
-    const double to_surface = contact.reach[body.id[p]];
-    if (surface.may_touch(x, x, to_surface))
-      found.push_back({body.id[p], x, vector_at(body.v, p), particle_length(body, p, to_surface), to_surface});
-  }
-}
-
 std::vector<ContactPoint> find_particles(const RigidSurface& surface, const GridLayout<2>& layout, const Body<2>& body,
                                          const RigidContact<2>& contact) {
-  const auto slabs = static_cast<std::ptrdiff_t>(body.slab_begin.size()) - 1;
-  std::vector<std::vector<ContactPoint>> of_slab(slabs);
-#pragma omp parallel for schedule(static) if (body.size() > 1000)
-  for (std::ptrdiff_t s = 0; s < slabs; ++s)
-    find_in_slab(surface, layout, body, contact, static_cast<int>(s), of_slab[s]);
+  std::vector<std::vector<ContactPoint>> of_slab(body.slab_begin.size() - 1);
+  for_each_near(surface, layout, body, contact.half_width, [&](std::size_t p, std::ptrdiff_t slab) {
+    const double reach = contact.half_width[body.id[p]];
+    of_slab[slab].push_back(
+        {body.id[p], vector_at(body.x, p), vector_at(body.v, p), particle_length(body, p, reach), reach});
+  });
   std::vector<ContactPoint> points;
   for (const auto& some : of_slab) points.insert(points.end(), some.begin(), some.end());
   std::sort(points.begin(), points.end(), [](const ContactPoint& a, const ContactPoint& b) { return a.id < b.id; });
   return points;
 }
 
+/// The surface may leave the domain beside a particle that is in it.
+std::array<double, 2> in_reach_of_grid(const GridLayout<2>& layout, const Vec<2>& x) {
+  std::array<double, 2> place;
+  for (int a = 0; a < 2; ++a) place[a] = std::clamp(x[a], layout.particle_lower[a], layout.particle_upper[a]);
+  return place;
+}
+
+/// Where the force on fluid acts: on the surface, where the pressure of particles ends. At the particle the two
+/// balance on no node by itself (water beside a half-plane kept 0.6 m/s). No farther off than its reach: nodes there
+/// may have no mass.
+Vec<2> place_of_force(const ContactPoint& point, const RigidSurface::Gap& gap) {
+  return point.x - std::clamp(gap.size, -point.reach, point.reach) * gap.normal;
+}
+
+/// The grid's, before forces act. A particle's own velocity has parts that the grid does not see and that a dashpot
+/// cannot stop (FLIP: water at rest "dissipated" 3 kJ instead of 0.07 kJ).
+Vec<2> grid_velocity(const Grid<2>& grid, const Vec<2>& x, double half_size) {
+  const PointSupport<2> support(grid.layout, in_reach_of_grid(grid.layout, x), half_size);
+  Vec4 sum{};
+  double weights = 0;
+  support.for_each_node(grid.layout, [&](int node, double weight) {
+    const double mass = grid.sum[node][3];
+    if (!(mass > 0)) return;
+    sum += weight / mass * grid.sum[node];
+    weights += weight;
+  });
+  return weights > 0 ? Vec<2>(Vec<2>(sum[0], sum[1]) / weights) : Vec<2>::Zero();
+}
+
+/// The velocities of the points become the grid's at the surface, and their half widths follow the flow: where it
+/// spreads along the surface particles are flattened, dr = dt (v(x) - v(on)) . n. The depth then follows the velocity
+/// at the place of the force, and contact takes as much energy as it gives (a dam break over an obstacle: 0.9 % of
+/// energy gained, with constant widths 3.6 %). Widths go back to that of the start with 1 % of the wave speed: without
+/// that water at rest settles at the surface. What has parted, and meets the surface again flatter, is as wide as it
+/// is far off.
+void follow_flow(const RigidSurface& surface, double dt, const Body<2>& body, const Grid<2>& grid,
+                 std::vector<ContactPoint>& points, RigidContact<2>& contact) {
+  constexpr double least = 0.25, most = 2, recovery = 0.01;
+  const double back = recovery * wave_speed(body.material) * dt / grid.layout.finest;
+  for (ContactPoint& point : points) {
+    const auto gap = surface.gap(point.x, 0);
+    if (!gap || !(gap->size < point.reach)) continue;
+    point.v = grid_velocity(grid, place_of_force(point, *gap), body.half_size);
+    const double at_start = contact.reach[point.id];
+    const double spread = dt * gap->normal.dot(grid_velocity(grid, point.x, body.half_size) - point.v);
+    const double change = touch_share(gap->size, point.reach) * (spread + back * (at_start - point.reach));
+    contact.half_width[point.id] = std::clamp(point.reach + change, least * at_start, most * at_start);
+  }
+}
+
+/// Particles that have parted from the surface get their width back as far as they do not touch by that.
+void recover_widths(const RigidSurface& surface, const GridLayout<2>& layout, const Body<2>& body,
+                    RigidContact<2>& contact) {
+  for_each_near(surface, layout, body, contact.reach, [&](std::size_t p, std::ptrdiff_t) {
+    double& width = contact.half_width[body.id[p]];
+    const double at_start = contact.reach[body.id[p]];
+    const auto gap = width < at_start ? surface.gap(vector_at(body.x, p), 0) : std::nullopt;
+    if (gap && gap->size >= width) width = std::min(at_start, gap->size);
+  });
+}
+
 void add_particle_contact(const RigidSurface& surface, double dt, const Body<2>& body, Grid<2>& grid,
                           RigidContact<2>& contact) {
-  const std::vector<ContactPoint> points = find_particles(surface, grid.layout, body, contact);
-  const std::vector<Vec<2>> forces = contact_forces(surface, points, dt, contact);
+  // A solid keeps its widths, and is stiff enough to hold a force inside its edge; friction stops it sooner there.
+  const bool fluid = std::holds_alternative<Newtonian>(body.material);
+  if (fluid) recover_widths(surface, grid.layout, body, contact);
+  std::vector<ContactPoint> points = find_particles(surface, grid.layout, body, contact);
+  if (fluid) follow_flow(surface, dt, body, grid, points, contact);
+  const std::vector<SurfaceForce> forces = contact_forces(surface, points, dt, contact);
   const bool separate = !grid.force.empty();
   Array<Vec4>& field = separate ? grid.force : grid.sum;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec4 f = (separate ? 1.0 : dt) * Vec4{forces[i][0], forces[i][1]};
-    const PointSupport<2> support(grid.layout, {points[i].x[0], points[i].x[1]}, body.half_size);
+    const auto& [force, on] = forces[i];
+    const Vec4 f = (separate ? 1.0 : dt) * Vec4{force[0], force[1]};
+    const PointSupport<2> support(grid.layout, in_reach_of_grid(grid.layout, fluid ? on : points[i].x), body.half_size);
     support.for_each_node(grid.layout, [&](int node, double weight) { field[node] += weight * f; });
   }
 }
 
 }  // namespace
 
-std::vector<Vec<2>> contact_forces(const RigidSurface& surface, const std::vector<ContactPoint>& points, double dt,
-                                   RigidContact<2>& contact) {
+std::vector<SurfaceForce> contact_forces(const RigidSurface& surface, const std::vector<ContactPoint>& points,
+                                         double dt, RigidContact<2>& contact) {
   Memories memories(contact);
   forget_points(contact);
-  std::vector<Vec<2>> forces(points.size(), Vec<2>::Zero());
+  std::vector<SurfaceForce> forces;
+  for (const ContactPoint& point : points) forces.push_back({Vec<2>::Zero(), point.x});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Memory memory = memories.of(points[i].id);
     const auto gap = surface.gap(points[i].x, memory.side);
     if (!gap || !(gap->size < points[i].reach)) continue;
     const Vec<2> driven = surface.velocity(points[i].x);
-    forces[i] = push(points[i], *gap, points[i].v - driven, memory.slip, dt, contact);
-    contact.driving_work += dt * forces[i].dot(driven);
+    forces[i] = {push(points[i], *gap, points[i].v - driven, memory.slip, dt, contact),
+                 place_of_force(points[i], *gap)};
+    contact.driving_work += dt * forces[i].force.dot(driven);
   }
   return forces;
 }
@@ -179,7 +229,7 @@ RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, 
   const Material& material = body.material;
   contact.stiffness = spec.stiffness * impedance(material) * wave_speed(material) / finest_spacing(scene.grid);
   contact.damping = spec.damping * impedance(material);
-  if (contact.bare) contact.reach = particle_reach(scene, body);
+  if (contact.bare) contact.reach = contact.half_width = particle_reach(scene, body);
   return contact;
 }
 

@@ -34,9 +34,15 @@ struct ContactPoint {
   double reach;      ///< half width: how far its surface is from it [m]
 };
 
-/// Forces [N] on points in ascending order of their ids; those that touch become the contact's.
-std::vector<Vec<2>> contact_forces(const RigidSurface& surface, const std::vector<ContactPoint>& points, double dt,
-                                   RigidContact<2>& contact);
+/// What a point gets, and where: on the surface, no farther than its reach; at the point where nothing touches.
+struct SurfaceForce {
+  Vec<2> force;  ///< [N]
+  Vec<2> on;     ///< [m]
+};
+
+/// Forces on points in ascending order of their ids; those that touch become the contact's.
+std::vector<SurfaceForce> contact_forces(const RigidSurface& surface, const std::vector<ContactPoint>& points,
+                                         double dt, RigidContact<2>& contact);
 
 /// Contacts of membranes: adds to Membrane::load; `dt` [s] stretches the tangential springs.
 void add_contact_forces(State<2>& state, double dt);

@@ -1,11 +1,15 @@
 #include "interface_constraint.hpp"
 
+#include <geodrop/base/error.hpp>
 #include <geodrop/base/find_named.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
+#include <utility>
 
 #include "grid/momentum.hpp"
 #include "interface_rows.hpp"
@@ -20,19 +24,36 @@ struct Contact {
   Stretch stretch;
   bool on_bed = false;
   double pore_pressure = 0;  ///< of the bed [Pa]
+  double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
   bool joined = false;       ///< both sides have mass there
   double pressure = 0;       ///< [Pa]
 
-  bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip; }
-  bool rubs() const { return on_bed || membrane->shear == Shear::wall_law; }
+  bool over_soil() const { return !membrane->contents_pressure.empty(); }
+  bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip && !over_soil(); }
+  bool rubs() const { return on_bed || (membrane->shear != Shear::none && !sticks()); }
 
-  /// Largest traction along it [Pa]; slip [m2/s]: the velocity of slipping times the length.
+  /// Largest traction along it [Pa]: what is around can give, and the soil inside can take. slip [m2/s]: the velocity
+  /// of slipping times the length.
   double most_friction(double slip) const {
-    if (on_bed) return std::max(0.0, membrane->bed_friction * (pressure - pore_pressure));
+    const double taken = over_soil() ? membrane->contents_friction * inside : std::numeric_limits<double>::infinity();
+    if (on_bed) return std::min(taken, std::max(0.0, membrane->bed_friction * (pressure - pore_pressure)));
+    if (membrane->shear == Shear::no_slip) return taken;
     const double velocity = slip / stretch.length;
-    return 0.5 * membrane->fluid_density * membrane->wall_friction * velocity * velocity;
+    return std::min(taken, 0.5 * membrane->fluid_density * membrane->wall_friction * velocity * velocity);
   }
 };
+
+/// Mean over a stretch of the effective pressure inside.
+double pressure_inside(const Membrane<2>& membrane, const CutCells& cells, const Stretch& stretch) {
+  const Array<double>& pressure = membrane.contents_pressure;
+  double sum = 0;
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
+    const std::size_t start = piece.edge, end = end_of_edge(start, membrane.nodes());
+    const double middle = 0.5 * (piece.from + piece.to);
+    sum += length_of(membrane, piece) * ((1 - middle) * pressure[start] + middle * pressure[end]);
+  });
+  return stretch.length > 0 ? sum / stretch.length : 0;
+}
 
 /// Mean over a stretch of the traction that its segments had.
 double last_traction(const Contact& contact, const CutCells& cells, Direction direction) {
@@ -48,6 +69,7 @@ double last_traction(const Contact& contact, const CutCells& cells, Direction di
 void forget_tractions(Membrane<2>& membrane) {
   std::fill(membrane.water_pressure.begin(), membrane.water_pressure.end(), 0.0);
   std::fill(membrane.water_shear.begin(), membrane.water_shear.end(), 0.0);
+  std::fill(membrane.bed_shear.begin(), membrane.bed_shear.end(), 0.0);
 }
 
 /// Where the bed is around a membrane: volume of its particles in each cell of the box, and that times pore pressure.
@@ -94,6 +116,7 @@ std::vector<Contact> find_contacts(State<2>& state, const Grids<2>& grids) {
     for (const Stretch& stretch : wet_stretches(around, membrane, cells)) {
       contacts.push_back({&membrane, stretch});
       if (!membrane.bed.empty()) look_for_bed(around, cells, bed, contacts.back());
+      if (contacts.back().over_soil()) contacts.back().inside = pressure_inside(membrane, cells, stretch);
     }
   }
   return contacts;
@@ -142,50 +165,74 @@ void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids
     const double sign =
         normal ? 1 : -cells.sense;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
     for_each_piece(cells, contacts[c].stretch, [&](const CutCells::Piece& piece) {
-      target[piece.edge] += sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
+      const double part = sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
+      target[piece.edge] += part;
+      if (!normal && contacts[c].on_bed) membrane.bed_shear[piece.edge] += part;
     });
   }
 }
 
+/// Tractions of rows, and whether they are as exact as asked.
+struct Solution {
+  Eigen::VectorXd traction;
+  bool converged;
+};
+
 /// Tractions that stop the gaps from opening and closing, and the slip where it sticks.
-Eigen::VectorXd solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
+Solution solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
   constexpr double tolerance = 1e-8;  // of the gaps' rate
   constexpr int most_iterations = 1000;
   Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper> solver(S);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(most_iterations);
-  return solver.solveWithGuess(gap_rate, guess);
+  Eigen::VectorXd traction = solver.solveWithGuess(gap_rate, guess);
+  return {std::move(traction), solver.info() == Eigen::Success};
 }
 
 /// The same, where some rows may only push: those that would pull are open, and take no part, unless their gap would
 /// close then (primal-dual active sets, Hintermueller et al. 2002).
-Eigen::VectorXd solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const std::vector<bool>& only_pushes,
-                      const Eigen::VectorXd& guess) {
+Solution solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const std::vector<bool>& only_pushes,
+               const Eigen::VectorXd& guess) {
   constexpr int most_rounds = 10;
   const SparseRows S = E * E.transpose();
   const Eigen::VectorXd gap_rate = E * velocity_rate;
-  Eigen::VectorXd traction = solve(S, gap_rate, guess);
-  if (std::find(only_pushes.begin(), only_pushes.end(), true) == only_pushes.end()) return traction;
+  Solution found = solve(S, gap_rate, guess);
+  if (std::find(only_pushes.begin(), only_pushes.end(), true) == only_pushes.end()) return found;
   Eigen::VectorXd joined = Eigen::VectorXd::Ones(gap_rate.size());
   for (int round = 0; round < most_rounds; ++round) {
-    const Eigen::VectorXd closing = gap_rate - S * traction;
+    const Eigen::VectorXd closing = gap_rate - S * found.traction;
     bool changed = false;
     for (Eigen::Index r = 0; r < gap_rate.size(); ++r) {
-      const double pushes = only_pushes[r] && traction[r] + closing[r] / S.coeff(r, r) < 0 ? 0 : 1;
+      const double pushes = only_pushes[r] && found.traction[r] + closing[r] / S.coeff(r, r) < 0 ? 0 : 1;
       changed = changed || pushes != joined[r];
       joined[r] = pushes;
     }
-    if (!changed) break;
+    if (!changed) return found;
     const SparseRows F = joined.asDiagonal() * E;
     SparseRows of_joined = F * F.transpose();
     of_joined.diagonal().array() += 1 - joined.array();
-    traction = solve(of_joined, joined.cwiseProduct(gap_rate), joined.cwiseProduct(guess));
+    found = solve(of_joined, joined.cwiseProduct(gap_rate), joined.cwiseProduct(guess));
   }
-  return traction;
+  found.converged = false;  // the last sets are not those of their solution
+  return found;
 }
 
-/// One normal velocity, and one velocity where the fluid sticks.
-void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
+/// Counts steps without a solution; throws when they are too many in a row.
+void note(bool converged, double t, ConstraintWatch& watch) {
+  constexpr std::uint64_t most_in_a_row = 100;
+  watch.in_a_row = converged ? 0 : watch.in_a_row + 1;
+  watch.unsolved += converged ? 0 : 1;
+  if (watch.in_a_row < most_in_a_row) return;
+  std::ostringstream text;
+  text << "the pressures on sharp membranes were not found in " << watch.in_a_row
+       << " steps in a row (conjugate gradients to 1e-8, ten active sets), t = " << t << " s; " << watch.unsolved
+       << " steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are common "
+          "causes";
+  throw RunError(text.str());
+}
+
+/// One normal velocity, and one velocity where the fluid sticks; false if they were not found.
+bool join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   ContactRows rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts[c].joined = rows.add(contacts, c, Direction::normal); contacts[c].joined && contacts[c].sticks())
@@ -196,34 +243,55 @@ void join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
     guess[r] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, direction);
   }
   for (const Contact& contact : contacts) forget_tractions(*contact.membrane);
-  if (rows.list().empty()) return;
+  if (rows.list().empty()) return true;
   std::vector<bool> only_pushes;
   for (const ContactRows::Row& row : rows.list())
     only_pushes.push_back(row.direction == Direction::normal && contacts[row.contact].on_bed);
   const SparseRows E = rows.rows().matrix();
-  const Eigen::VectorXd traction = solve(E, rows.rows().scaled_velocities() / dt, only_pushes, guess);
+  const auto [traction, converged] = solve(E, rows.rows().scaled_velocities() / dt, only_pushes, guess);
   apply_pressures(rows.rows(), E, traction, dt, grids);
   store(rows, traction, grids, contacts);
+  return converged;
+}
+
+/// Tractions that stop the slip of rows, each at most `most`: projected Gauss-Seidel from a guess.
+Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_rate, const Eigen::VectorXd& most,
+                              Eigen::VectorXd traction) {
+  constexpr int most_sweeps = 200;
+  constexpr double tolerance = 1e-6;  // of the largest traction
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0;
+    for (Eigen::Index r = 0; r < S.rows(); ++r) {
+      double held = 0, diagonal = 1;
+      for (SparseRows::InnerIterator entry(S, r); entry; ++entry) {
+        held += entry.value() * traction[entry.col()];
+        if (entry.col() == r) diagonal = entry.value();
+      }
+      const double before = traction[r];
+      traction[r] = std::clamp(before + (slip_rate[r] - held) / diagonal, -most[r], most[r]);
+      change = std::max(change, std::abs(traction[r] - before));
+    }
+    if (change <= tolerance * traction.cwiseAbs().maxCoeff()) break;
+  }
+  return traction;
 }
 
 /// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
-/// bed, at most what the wall law says in fluid. Projected Gauss-Seidel.
-void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
-  constexpr int sweeps = 30;
+/// bed, what the soil inside takes where water would stick, or what the wall law says in fluid.
+void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids, const std::vector<double>& last) {
   ContactRows rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts[c].joined && contacts[c].rubs()) rows.add(contacts, c, Direction::tangent);
   if (rows.list().empty()) return;
-  const SparseRows T = rows.rows().matrix();
-  const Eigen::MatrixXd S = T * T.transpose();
-  const Eigen::VectorXd slip = T * rows.rows().scaled_velocities(), slip_rate = slip / dt;
-  Eigen::VectorXd traction = Eigen::VectorXd::Zero(S.rows()), most(S.rows());
-  for (Eigen::Index r = 0; r < S.rows(); ++r) most[r] = contacts[rows.list()[r].contact].most_friction(slip[r]);
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (Eigen::Index r = 0; r < S.rows(); ++r) {
-      const double wanted = traction[r] + (slip_rate[r] - S.row(r).dot(traction)) / S(r, r);
-      traction[r] = std::clamp(wanted, -most[r], most[r]);
-    }
+  const SparseRows T = rows.rows().matrix(), S = T * T.transpose();
+  const Eigen::VectorXd slip = T * rows.rows().scaled_velocities();
+  Eigen::VectorXd guess(S.rows()), most(S.rows());
+  for (Eigen::Index r = 0; r < S.rows(); ++r) {
+    const std::size_t c = rows.list()[static_cast<std::size_t>(r)].contact;
+    most[r] = contacts[c].most_friction(slip[r]);
+    guess[r] = std::clamp(last[c], -most[r], most[r]);
+  }
+  const Eigen::VectorXd traction = solve_limited(S, slip / dt, most, guess);
   apply_pressures(rows.rows(), T, traction, dt, grids);
   store(rows, traction, grids, contacts);
 }
@@ -232,8 +300,11 @@ void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
 
 void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
   std::vector<Contact> contacts = find_contacts(state, grids);
-  join(dt, contacts, grids);
-  rub(dt, contacts, grids);
+  std::vector<double> last;  // tractions along the membrane, before they are forgotten
+  for (const Contact& contact : contacts)
+    last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Direction::tangent));
+  note(join(dt, contacts, grids), state.t, state.constraint_watch);
+  rub(dt, contacts, grids, last);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);
 }
 

@@ -41,7 +41,8 @@ Row<2> interface_force_row(const Scene& scene) {
 }
 
 Row<2> join_interfaces_row(const Scene& scene) {
-  return {"join_interfaces", Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position,
+  return {"join_interfaces",
+          Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth,
           Data::nodal_velocity | Data::velocity_change | Data::water_traction, has_sharp_interface(scene),
           [](State<2>& s, Grids<2>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
 }

@@ -88,13 +88,16 @@ void append_membrane(const Membrane<Dim>& membrane, std::uint32_t index, Membran
   const auto nodes = static_cast<std::uint32_t>(membrane.nodes());
   for (std::uint32_t i = 0; i < nodes; ++i)
     for (int a = 0; a < 3; ++a) out.points.push_back(a < Dim ? membrane.x[a][i] : 0.0);
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  const Array<double>&inside = membrane.contents_pressure, &around = membrane.water_pressure;
   for (std::uint32_t s = 0; s < membrane.segments(); ++s) {
     out.connectivity.push_back(first + s);
     out.connectivity.push_back(first + (s + 1) % nodes);
     out.fields[0].values.push_back(narrow(membrane.tension[s]));
     out.fields[1].values.push_back(narrow(membrane.strain[s]));
-    out.fields[2].values.push_back(membrane.strength > 0 ? narrow(membrane.tension[s] / membrane.strength)
-                                                         : std::numeric_limits<float>::quiet_NaN());
+    out.fields[2].values.push_back(membrane.strength > 0 ? narrow(membrane.tension[s] / membrane.strength) : none);
+    out.fields[3].values.push_back(inside.empty() ? none : narrow(0.5 * (inside[s] + inside[(s + 1) % nodes])));
+    out.fields[4].values.push_back(around.empty() ? none : narrow(around[s]));
     out.membrane.push_back(index);
   }
 }
@@ -138,7 +141,11 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   Snapshot snapshot;
   snapshot.t = state.t;
   snapshot.particles = copy_particles(state, materials);
-  snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
+  snapshot.membranes.fields = {{"tension", {}, {}},
+                               {"strain", {}, {}},
+                               {"utilisation", {}, {}},
+                               {"contents_pressure", {}, {}},
+                               {"water_pressure", {}, {}}};
   for (std::size_t m = 0; m < state.membranes.size(); ++m)
     if (state.membranes[m].field != waiting)
       append_membrane(state.membranes[m], static_cast<std::uint32_t>(m), snapshot.membranes);

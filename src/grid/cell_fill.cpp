@@ -21,6 +21,16 @@ double cell_measure(const GridLayout<Dim>& layout) {
   return Dim == 2 ? layout.h * layout.h : layout.h * layout.h * layout.h;
 }
 
+template <int Dim>
+std::array<int, Dim> stored_cell(const GridLayout<Dim>& layout, int flat) {
+  std::array<int, Dim> cell;
+  for (int a = Dim - 1; a >= 0; --a) {
+    cell[a] = flat / layout.stride[a];
+    flat %= layout.stride[a];
+  }
+  return cell;
+}
+
 /// Along a wall the neighbour beyond it is the mirror image; along a periodic seam, the cell on the other side.
 template <int Dim>
 int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {
@@ -35,7 +45,8 @@ int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, co
   return flat;
 }
 
-/// cell_fill := V / V_c, not yet smoothed; what bodies across a sharp interface have of a cell counts as full.
+/// cell_fill := V / V_c, not yet smoothed; what bodies across a sharp interface and rigid bodies have of a cell
+/// counts as full.
 template <int Dim>
 void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
   const double inv_measure = 1 / cell_measure(grid.layout);
@@ -43,8 +54,9 @@ void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
     for (int k = 0; k < count; ++k, ++cell[0])
       fill[begin + k] = (grid.cell_volume[begin + k] + (grid.occupied.empty() ? 0.0 : grid.occupied[begin + k])) *
                         inv_measure / cell_width_product<Dim>(grid, cell);
-    if (!grid.taken.empty())
-      for (int k = begin; k < begin + count; ++k) fill[k] += grid.taken[k];
+    for (const Array<double>* share : {&grid.taken, &grid.rigid_cells})
+      if (!share->empty())
+        for (int k = begin; k < begin + count; ++k) fill[k] += (*share)[k];
   });
 }
 
@@ -60,6 +72,14 @@ double smoothed_near_wall(const GridLayout<Dim>& layout, const Array<double>& fi
     sum += weight * fill[mirrored<Dim>(layout, cell, a)];
   });
   return sum;
+}
+
+/// Beside a rigid surface each particle has its own pressure, which ends where the contact force acts; the mean of a
+/// cell would act up to the cell's faces (water beside a half-plane: 0.30 m/s of rms velocity instead of 0.012).
+template <int Dim>
+bool cut_by_rigid(const Grid<Dim>& grid, int flat) {
+  constexpr double least = 0.02;  // of the cell
+  return !grid.rigid_cells.empty() && grid.rigid_cells[flat] > least;
 }
 
 /// Binomially smoothed fill ratio of cells along x.
@@ -96,7 +116,15 @@ void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
   }
 }
 
-/// A cell is shiftable where its whole neighbourhood is filled.
+/// Whether particles and a rigid body fill a cell together.
+template <int Dim>
+bool filled_with_rigid(const Grid<Dim>& grid, int flat) {
+  if (grid.rigid_cells.empty() || grid.rigid_cells[flat] == 0) return false;
+  const double whole = cell_measure(grid.layout) * cell_width_product<Dim>(grid, stored_cell(grid.layout, flat));
+  return grid.cell_volume[flat] >= (filled_ratio - grid.rigid_cells[flat]) * whole;
+}
+
+/// A cell is shiftable where its whole neighbourhood is filled, by rigid bodies too.
 template <int Dim>
 void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
   // Neighbours in other blocks read the filled bit while this thread sets the shiftable bit of the same byte.
@@ -107,9 +135,10 @@ void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
     for (int k = 0; k < count; ++k, ++cell[0]) {
       bool full = true;
       for_neighbourhood(grid.layout, begin + k, [&](int other, const std::array<int, Dim>& a) {
-        full = full && (flag(interior ? other : mirrored<Dim>(grid.layout, cell, a)).load(relaxed) & cell_filled);
+        const int there = interior ? other : mirrored<Dim>(grid.layout, cell, a);
+        full = full && ((flag(there).load(relaxed) & cell_filled) || filled_with_rigid(grid, there));
       });
-      if (full) flag(begin + k).store(cell_filled | cell_shiftable, relaxed);
+      if (full) flag(begin + k).fetch_or(cell_shiftable, relaxed);
     }
   });
   block_shift_near_membranes(state, grid);
@@ -122,6 +151,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
   for_each_seam(grid.layout, [&](int axis) {
     sum_over_seam(grid.layout, axis, grid.cell_volume);
     sum_over_seam(grid.layout, axis, grid.cell_pressure);
+    if (!grid.cell_modulus.empty()) sum_over_seam(grid.layout, axis, grid.cell_modulus);
   });
   Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
   raw_fill(grid, fill);
@@ -130,7 +160,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;
       const bool holds = grid.cell_volume[flat] > 0, shared = !grid.taken.empty() && grid.taken[flat] > 0;
-      const bool filled = smooth[k] >= filled_ratio && (holds || shared);
+      const bool filled = smooth[k] >= filled_ratio && (holds || shared) && !cut_by_rigid(grid, flat);
       grid.cell_flags[flat] = filled ? cell_filled : 0;
       grid.cell_pressure[flat] = filled && holds ? grid.cell_pressure[flat] / grid.cell_volume[flat] : 0.0;
     }

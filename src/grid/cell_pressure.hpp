@@ -18,7 +18,17 @@ inline constexpr double filled_ratio = 0.7;
 template <int Dim>
 void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift);
 
-/// D_c of all filled cells from the new nodal velocities.
+/// S = (dt w)^2 of a filled cell alone, given by its stored coordinates and flat index, from the folded nodal masses.
+template <int Dim>
+double cell_swing(const Grid<Dim>& grid, const std::array<int, Dim>& cell, int flat, double dt);
+
+/// Where a cell has S > 1 its pressure takes the share sqrt(1/S), and so will its volume rate: the pair stays adjoint.
+/// The share of each cell stands in Grid::volume_rate until cell_volume_rate. Parts of cells beside a sharp interface
+/// keep theirs.
+template <int Dim>
+void soften_light_cells(Grid<Dim>& grid, double dt);
+
+/// D_c of all filled cells from the new nodal velocities, times the share of soften_light_cells.
 template <int Dim>
 void cell_volume_rate(Grid<Dim>& grid);
 

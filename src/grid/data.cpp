@@ -42,8 +42,9 @@ void add_constants(const Body<Dim>& body, Hasher& hash) {
 
 template <int Dim>
 void add_constants(const Membrane<Dim>& m, Hasher& hash) {
-  hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.averaging_segments, m.half_size,
-           m.mass, m.rest_length, m.bed, m.bed_friction, m.shear, m.wall_friction, m.drag_coefficient, m.fluid_density);
+  hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
+           m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.drag_coefficient,
+           m.fluid_density);
 }
 
 template <int Dim>
@@ -84,11 +85,13 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
     case Data::membrane_velocity:
       return hash.add(membrane.v);
     case Data::membrane_tension:
-      return hash.add(membrane.strain, membrane.tension, membrane.tension_peak);
+      return hash.add(membrane.strain, membrane.tension, membrane.gauge);
+    case Data::membrane_cloth:
+      return hash.add(membrane.rest_length, membrane.mass, membrane.contents_pressure);
     case Data::membrane_load:
       return hash.add(membrane.load);
     case Data::water_traction:
-      return hash.add(membrane.water_pressure, membrane.water_shear);
+      return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear);
     default:
       return;
   }
@@ -162,7 +165,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
     case Data::mass_correction:
       return add_array(grid.mass_correction, hash);
     case Data::cell_volume:
-      return add_array(grid.cell_volume, hash);
+      return hash.add(grid.cell_volume, grid.cell_modulus);
     case Data::cell_pressure:
       return add_array(grid.cell_pressure, hash);
     case Data::cell_flags:
@@ -171,8 +174,11 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
       return add_array(grid.volume_rate, hash);
     case Data::nodal_pressure:
       return hash.add(grid.node_volume, grid.node_pressure, grid.node_rate);
+    case Data::rigid_share:
+      return hash.add(grid.rigid_cells, grid.rigid_splines);
     case Data::pore_space:
-      hash.add(grid.grain_volume, grid.drag_resistance, grid.occupied, grid.pore_share, grid.node_drag);
+      hash.add(grid.grain_volume, grid.drag_resistance, grid.occupied, grid.pore_share, grid.grain_lightness,
+               grid.node_drag);
       return add_array(grid.mixture_velocity, hash);
     default:
       return add_cells_of_bodies(item, grid, hash);
@@ -196,6 +202,7 @@ constexpr std::string_view names[] = {"time",
                                       "membranes",
                                       "membrane nodes",
                                       "velocity of membrane nodes",
+                                      "cloth of membranes",
                                       "tension",
                                       "membrane loads",
                                       "water on membranes",
@@ -219,6 +226,7 @@ constexpr std::string_view names[] = {"time",
                                       "nodal pressure",
                                       "enclosed cells",
                                       "cut cells",
+                                      "share of rigid bodies",
                                       "pore space"};
 static_assert(std::size(names) == static_cast<std::size_t>(Data::count));
 

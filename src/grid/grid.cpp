@@ -4,6 +4,8 @@
 #include <geodrop/materials/materials.hpp>
 #include <geodrop/scene/velocity_fields.hpp>
 #include <limits>
+#include <set>
+
 #include "scene/needs.hpp"
 
 namespace geodrop {
@@ -92,6 +94,17 @@ double lightest_density(const Scene& scene, const std::vector<BodySpec>& bodies)
   return density;
 }
 
+/// rho c^2 of the bodies whose cells carry their pressure, from the least to the largest.
+std::set<double> cell_moduli(const Scene& scene, const std::vector<BodySpec>& bodies) {
+  std::set<double> moduli;
+  for (const BodySpec& body : bodies) {
+    const MaterialSpec* spec = find_material(scene, body.material);
+    if (!spec || body.pressure != PressureSupport::cell) continue;
+    moduli.insert(wave_modulus(make_material(*spec)));
+  }
+  return moduli;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -139,6 +152,8 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   Grid<Dim> grid;
   grid.field = field;
   grid.light_mass = light_share * lightest_density(scene, bodies) * std::pow(scene.grid.spacing, Dim);
+  const std::set<double> moduli = cell_moduli(scene, bodies);
+  if (!moduli.empty()) grid.largest_modulus = *moduli.rbegin();
   grid.layout = GridLayout<Dim>(scene.grid, scene.walls);
   const std::size_t n = grid.layout.nodes();
   const auto any_body = [&](auto has) { return std::any_of(bodies.begin(), bodies.end(), has); };
@@ -150,14 +165,17 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   const bool pores = any_pores(scene);
   unsigned wanted = grid_role::for_all;
   const auto want = [&](unsigned role, bool needed) { wanted |= needed ? role : 0; };
-  // Contact pushes on the outermost nodes, which carry little: their impulses have to go to their neighbourhood.
-  want(grid_role::for_light,
-       change || !scene.contacts.empty() || has_sharp_interface(scene) || pores || (Dim == 3 && shift));
+  // Contacts and membranes push on the outermost nodes, which carry little: their impulses have to go to their
+  // neighbourhood.
+  want(grid_role::for_light, change || !scene.contacts.empty() || !scene.membranes.empty() ||
+                                 has_sharp_interface(scene) || pores || (Dim == 3 && shift));
   want(grid_role::for_change, change);
   want(grid_role::for_consistent, consistent);
   want(grid_role::for_cells, cells);
+  want(grid_role::for_moduli, moduli.size() > 1);
   want(grid_role::for_nodal, any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }));
   want(grid_role::for_sharp, has_sharp_interface(scene));
+  want(grid_role::for_rigid, shift && any_contact_of(scene, ContactPair::Kind::body_on_rigid));
   want(grid_role::for_pores, any_body([](const BodySpec& b) { return !b.saturated_by.empty(); }));
   want(grid_role::for_pore_water, any_body([&](const BodySpec& b) { return saturates(scene, b.name); }));
   for_each_field<any_role>(grid, [&]<class T>(const auto& entry, Array<T>& values) {

@@ -36,9 +36,12 @@ template <int Dim>
 Row<Dim> momentum_row(const Scene& scene) {
   std::array<double, Dim> gravity;
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
-  return {"momentum", Data::nodal_sums | Data::nodal_force | Data::cell_pressure | Data::pore_space,
-          Data::nodal_velocity | Data::velocity_change, true,
+  return {"momentum",
+          Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_flags | Data::cell_pressure |
+              Data::rigid_share | Data::pore_space,
+          Data::cell_pressure | Data::volume_rate | Data::nodal_velocity | Data::velocity_change, true,
           each_field<Dim>([gravity](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
+            if (g.largest_modulus > 0 && g.pore_share.empty()) soften_light_cells(g, step.dt);
             update_momentum<Dim>(g, gravity, step.dt);
           })};
 }
@@ -53,10 +56,10 @@ Row<Dim> mass_correction_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene) {
-  return {"volume_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags, Data::volume_rate,
-          any_body_with(scene, PressureSupport::cell),
+  return {"volume_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::volume_rate,
+          Data::volume_rate, any_body_with(scene, PressureSupport::cell),
           each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) {
-            if (!g.cell_volume.empty()) cell_volume_rate(g);
+            if (g.largest_modulus > 0 && g.pore_share.empty()) cell_volume_rate(g);
           })};
 }
 

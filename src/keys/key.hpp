@@ -37,10 +37,11 @@ struct Range {
   bool infinite = false;  ///< an infinite number is no mistake
 };
 
-/// Whether a key must be given, has a default (as TOML), or stands instead of another key.
+/// Whether a key must be given, has a default (as TOML) or one that follows from other keys, or stands instead of
+/// another key.
 struct Need {
-  enum class How { required, standard, instead_of } how;
-  std::string_view text = {};  ///< the default, or the other key
+  enum class How { required, standard, derived, instead_of } how;
+  std::string_view text = {};  ///< the default, what it follows from, or the other key
 };
 
 struct Section;

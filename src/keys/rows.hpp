@@ -25,6 +25,8 @@ namespace geodrop {
 
 inline constexpr Need required{Need::How::required};
 constexpr Need standard(std::string_view toml) { return {Need::How::standard, toml}; }
+/// The member keeps its initial value, which says that none was given.
+constexpr Need derived(std::string_view from) { return {Need::How::derived, from}; }
 constexpr Need instead_of(std::string_view other) { return {Need::How::instead_of, other}; }
 
 inline constexpr Range any{"any finite number", [](double) { return true; }};

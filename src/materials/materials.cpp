@@ -52,6 +52,10 @@ double wave_speed(const Material& material) {
   return std::visit([](const auto& law) { return std::sqrt(wave_modulus(law) / law.density); }, material);
 }
 
+double wave_modulus(const Material& material) {
+  return std::visit([](const auto& law) { return wave_modulus(law); }, material);
+}
+
 double impedance(const Material& material) { return reference_density(material) * wave_speed(material); }
 
 double shear_wave_speed(const Material& material) {

@@ -8,6 +8,8 @@
 #include "base/text.hpp"
 #include "history_row.hpp"
 #include "measure/probes/probes.hpp"
+#include "membrane_balance.hpp"
+#include "scene/needs.hpp"
 #include "strays.hpp"
 
 namespace geodrop {
@@ -55,19 +57,32 @@ void list_body(HistoryRow& row, const std::string& name, const BodyMeasures<Dim>
   }
 }
 
-/// `peak`: largest tension since the row before.
 template <int Dim>
-void list_membrane(HistoryRow& row, const std::string& name, const MembraneMeasures<Dim>& membrane, double peak,
-                   bool closed) {
+void list_membrane(HistoryRow& row, const std::string& name, const MembraneMeasures<Dim>& membrane, bool closed) {
   row.add(name + ".tension_max_N_m", membrane.tension_max);
   row.add(name + ".tension_mean_N_m", membrane.tension_mean);
   row.add(name + ".tension_p95_N_m", membrane.tension_p95);
   row.add_vector(name + ".tension_max", "m", membrane.tension_max_at, Dim);
-  row.add(name + ".tension_peak_N_m", std::max(peak, membrane.tension_max));
+  row.add(name + ".tension_gauge_N_m", membrane.gauge_peak);
+  row.add_vector(name + ".tension_gauge", "m", membrane.gauge_at, Dim);
+  row.add(name + ".tension_gauge_time_s", membrane.gauge_time);
   if (Dim == 2 && closed) row.add(name + ".area_m2", membrane.area);
   row.add(name + ".length_m", membrane.length);
   row.add(name + ".utilisation_max", membrane.utilisation_max);
 }
+
+/// Of membranes that slide over a soil, which are for the plane.
+void list_balance(HistoryRow& row, const Scene& scene, const State<2>* state) {
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
+    const MembraneSpec& spec = scene.membranes[m];
+    if (!slides(scene, spec) || contents_friction(scene, spec) == 0) continue;
+    const double weight = std::hypot(scene.gravity[0], scene.gravity[1]);
+    row.add(spec.name + ".friction_ratio", state ? friction_ratio(state->membranes[m], weight) : 0);
+    const auto strain_max = [](const Array<double>& strain) { return *std::max_element(strain.begin(), strain.end()); };
+    row.add(spec.name + ".strain_max", state ? strain_max(state->membranes[m].strain) : 0);
+  }
+}
+void list_balance(HistoryRow&, const Scene&, const State<3>*) {}
 
 /// Of sharp membranes, which are for the plane.
 void list_strays(HistoryRow& row, const Scene& scene, const State<2>* state) {
@@ -146,7 +161,8 @@ HistoryRow list(const Scene& scene, const State<Dim>* state, const HistoryTable&
               earlier);
   for (std::size_t m = 0; m < scene.membranes.size(); ++m)
     list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
-                  state ? state->membranes[m].tension_peak : 0, scene.membranes[m].closed);
+                  scene.membranes[m].closed);
+  list_balance(row, scene, state);
   list_strays(row, scene, state);
   for (const RigidSpec& rigid : scene.rigid)
     if (!std::holds_alternative<std::monostate>(rigid.motion))

@@ -48,7 +48,7 @@ void LimitWatch::look_at_row(const Scene& scene, const HistoryTable& history, st
     if (growth > most_growth)
       say(membrane.name + " area", "the outline of membrane '" + membrane.name + "' encloses " + percent(growth) +
                                        " more than at the start" + at(now.front()) +
-                                       "; what is inside has opened, or what is around leaks in");
+                                       "; what is inside has opened (soil: void_memory), or what is around leaks in");
   }
 }
 
@@ -68,6 +68,9 @@ template <int Dim>
 std::vector<std::string> LimitWatch::look(const Scene& scene, const State<Dim>& state, const HistoryTable& history) {
   for (; rows_seen_ < history.rows.size(); ++rows_seen_) look_at_row(scene, history, rows_seen_);
   for (const Body<Dim>& body : state.bodies) look_at_density(body, state.t);
+  if (state.constraint_watch.unsolved > 0)
+    say("constraint", "the pressures on sharp membranes were not found to 1e-8 in some steps" + at(state.t) +
+                          "; the run ends if that lasts for 100 steps");
   return std::exchange(new_, {});
 }
 

@@ -173,7 +173,10 @@ MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
   measures.tension_deviation = std::sqrt(std::max(0.0, variance));
   measures.tension_p95 = percentile({membrane.tension.begin(), membrane.tension.end()}, 95);
   measures.area = Dim == 2 && membrane.closed ? std::abs(signed_area(membrane.x[0], membrane.x[1])) : not_there;
-  measures.utilisation_max = membrane.strength > 0 ? measures.tension_max / membrane.strength : not_there;
+  measures.gauge_peak = membrane.gauge.peak;
+  measures.gauge_time = membrane.gauge.peak_time;
+  measures.gauge_at = Vec<Dim>(membrane.gauge.peak_at.data());
+  measures.utilisation_max = membrane.strength > 0 ? measures.gauge_peak / membrane.strength : not_there;
   return measures;
 }
 

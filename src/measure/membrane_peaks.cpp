@@ -9,13 +9,13 @@ namespace {
 
 using HistoryRow = std::vector<double>;
 
-/// Place of the largest tension at the time of the row: "(1.5, 2)".
+/// Place of the largest tension of the row: "(1.5, 2)".
 std::string place(const Scene& scene, const HistoryTable& history, const std::string& membrane) {
   constexpr const char* axes[] = {"x", "y", "z"};
   constexpr int digits = 4;
   std::string text;
   for (int a = 0; a < scene.dimension; ++a) {
-    const std::size_t column = history.find(membrane + ".tension_max_" + axes[a] + "_m");
+    const std::size_t column = history.find(membrane + ".tension_gauge_" + axes[a] + "_m");
     text += (a == 0 ? "(" : ", ") + format_number(history.rows.back()[column], digits);
   }
   return text + ") m";
@@ -27,7 +27,7 @@ std::vector<std::string> strength_warnings(const Scene& scene, const HistoryTabl
   constexpr int digits = 4;
   std::vector<std::string> warnings;
   for (const MembraneSpec& membrane : scene.membranes) {
-    const std::size_t peak = history.find(membrane.name + ".tension_peak_N_m");
+    const std::size_t peak = history.find(membrane.name + ".tension_gauge_N_m");
     const auto exceeds = [&](const HistoryRow& row) { return membrane.strength > 0 && row[peak] > membrane.strength; };
     const HistoryRow& last = history.rows.back();
     if (!exceeds(last) || std::any_of(history.rows.begin(), history.rows.end() - 1, exceeds)) continue;
@@ -44,13 +44,14 @@ std::vector<Fact> membrane_peaks(const Scene& scene, const HistoryTable& history
   std::vector<Fact> facts;
   if (history.rows.empty()) return facts;
   for (const MembraneSpec& membrane : scene.membranes) {
-    const std::string name = membrane.name + ".tension_peak_N_m";
+    const std::string name = membrane.name + ".tension_gauge_N_m";
     const std::size_t peak = history.find(name);
     const HistoryRow& highest =
         *std::max_element(history.rows.begin(), history.rows.end(),
                           [&](const HistoryRow& a, const HistoryRow& b) { return a[peak] < b[peak]; });
     facts.push_back({name, highest[peak]});
-    facts.push_back({membrane.name + ".time_of_peak_s", highest.front()});
+    facts.push_back(
+        {membrane.name + ".time_of_peak_s", highest[history.find(membrane.name + ".tension_gauge_time_s")]});
   }
   return facts;
 }

@@ -14,8 +14,8 @@ namespace geodrop {
 /// not tear membranes: it goes on as if they held.
 std::vector<std::string> strength_warnings(const Scene& scene, const HistoryTable& history);
 
-/// `<membrane>.tension_peak_N_m` over the whole run, every step counted, and `<membrane>.time_of_peak_s`, the time of
-/// the first row that reported it.
+/// `<membrane>.tension_gauge_N_m`, the largest tension over the gauge of the whole run, and
+/// `<membrane>.time_of_peak_s`.
 std::vector<Fact> membrane_peaks(const Scene& scene, const HistoryTable& history);
 
 }  // namespace geodrop

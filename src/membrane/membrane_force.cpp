@@ -5,6 +5,7 @@
 
 #include "geometry/polygon.hpp"
 #include "grid/point_support.hpp"
+#include "tension_gauge.hpp"
 
 namespace geodrop {
 namespace {
@@ -21,23 +22,6 @@ double length(const std::array<double, Dim>& d) {
   double sum = 0;
   for (const double c : d) sum += c * c;
   return std::sqrt(sum);
-}
-
-/// Mean of values over the segments s - w to s + w around each s. Beyond the ends of an open membrane its mirror image
-/// goes on: as on a closed one each value then counts as often as any other, and an even tension stays even.
-/// From running sums, so that wide boxes cost what narrow ones do.
-template <int Dim>
-Array<double> box_means(const Membrane<Dim>& membrane, const Array<double>& values) {
-  const auto n = static_cast<std::ptrdiff_t>(values.size());
-  const std::ptrdiff_t w = membrane.averaging_segments, period = membrane.closed ? n : 2 * n;
-  Array<double> running(n + 2 * w + 1, 0.0), means(n);
-  for (std::ptrdiff_t k = -w; k < n + w; ++k) {
-    const std::ptrdiff_t within = ((k % period) + period) % period;
-    running[k + w + 1] = running[k + w] + values[within < n ? within : 2 * n - 1 - within];
-  }
-  for (std::ptrdiff_t s = 0; s < n; ++s)
-    means[s] = (running[s + 2 * w + 1] - running[s]) / static_cast<double>(2 * w + 1);
-  return means;
 }
 
 /// The coordinate, or the wall that round-off carried it across.
@@ -95,15 +79,10 @@ std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<doub
 
 template <int Dim>
 void update_tension(Membrane<Dim>& membrane) {
-  const std::size_t n = membrane.segments();
-  Array<double> raw(n), pull(n);
-  for (std::size_t s = 0; s < n; ++s) raw[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
-  membrane.strain = box_means(membrane, raw);
-  for (std::size_t s = 0; s < n; ++s)
-    pull[s] = std::max(0.0, membrane.axial_stiffness * membrane.strain[s]) * membrane.rest_length[s];
-  membrane.tension = box_means(membrane, pull);
-  for (std::size_t s = 0; s < n; ++s) membrane.tension[s] /= membrane.rest_length[s];
-  for (const double tension : membrane.tension) membrane.tension_peak = std::max(membrane.tension_peak, tension);
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    membrane.strain[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
+    membrane.tension[s] = std::max(0.0, membrane.axial_stiffness * membrane.strain[s]);
+  }
 }
 
 template <int Dim>
@@ -140,10 +119,11 @@ void clear_membrane_loads(State<Dim>& state) {
 }
 
 template <int Dim>
-void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt) {
+void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double t, double dt) {
   for (Membrane<Dim>& membrane : state.membranes) {
     if (membrane.field != grid.field) continue;
     update_tension(membrane);
+    add_to_gauge(t, dt, membrane);
     membrane_to_grid(membrane, grid, dt);
   }
 }
@@ -210,7 +190,7 @@ void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
   template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);                    \
   template std::array<Array<double>, D> node_velocities<D>(const Membrane<D>&, const Grid<D>&);    \
   template void clear_membrane_loads<D>(State<D>&);                                                \
-  template void membranes_to_grid<D>(State<D>&, Grid<D>&, double);                                 \
+  template void membranes_to_grid<D>(State<D>&, Grid<D>&, double, double);                         \
   template void update_membrane_velocity<D>(const SolverSpec&, State<D>&, const Grid<D>&, double); \
   template void sum_membrane_momentum<D>(const State<D>&, Grid<D>&);                               \
   template void grid_to_membranes<D>(const SolverSpec&, State<D>&, const Grid<D>&, double);        \

@@ -6,19 +6,18 @@
 
 namespace geodrop {
 
-/// Strain e = (L - L0)/L0 of each segment, box mean over +-w segments, T = max(0, J e): fills `strain` and `tension`.
-/// The box mean keeps noise of the grid out of the tension: in trials with bags in water peaks were twice as high with
-/// w = 0.
+/// Strain e = (L - L0)/L0 of each segment, T = max(0, J e): fills `strain` and `tension`.
 template <int Dim>
 void update_tension(Membrane<Dim>& membrane);
 
-/// Forces on the nodes [N], dim-major: the exact adjoint of update_tension's mean, so that work is elastic energy.
+/// Forces of the tensions on the nodes [N], dim-major: their work is elastic energy.
 template <int Dim>
 std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane);
 
-/// Adds mass, momentum and force of all membranes to the grid.
+/// Renews the tensions of a field's membranes, for the step from `t` to `t + dt` [s], and adds their mass, momentum and
+/// force to the grid.
 template <int Dim>
-void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double dt);
+void membranes_to_grid(State<Dim>& state, Grid<Dim>& grid, double t, double dt);
 
 /// MUSL (transfer/baseline/remap.hpp): membrane nodes take their new velocity; positions stay.
 template <int Dim>

@@ -2,8 +2,10 @@
 
 #include "scene/needs.hpp"
 
+#include "even_out_nodes.hpp"
 #include "fluid_load.hpp"
 #include "membrane_force.hpp"
+#include "slide_membranes.hpp"
 
 namespace geodrop {
 
@@ -22,12 +24,29 @@ Row<2> still_fluids_row(const Scene& scene) {
           }};
 }
 
+Row<2> even_out_nodes_row(const Scene& scene) {
+  return {"even_out_nodes", Data::membranes | Data::membrane_position,
+          Data::membrane_position | Data::membrane_velocity | Data::membrane_cloth | Data::largest_motion,
+          any_membrane_slides(scene), [](State<2>& s, const Grids<2>&, const StepContext&) { even_out_membranes(s); }};
+}
+
+Row<2> slide_membranes_row(const Scene& scene) {
+  return {"slide_membranes",
+          Data::membranes | Data::membrane_position | Data::membrane_load | Data::water_traction | Data::position |
+              Data::mass | Data::volume_ratio | Data::stress,
+          Data::membrane_cloth | Data::membrane_velocity, any_membrane_slides(scene),
+          [slide = MembraneSlide({scene.gravity[0], scene.gravity[1]})](
+              State<2>& s, const Grids<2>& f, const StepContext&) mutable { slide.slide(s, f.front().layout); }};
+}
+
 template <int Dim>
 Row<Dim> membranes_to_grid_row(const Scene& scene) {
-  return {
-      "membranes_to_grid", Data::membranes | Data::membrane_position | Data::membrane_velocity | Data::membrane_load,
-      Data::membrane_tension | Data::nodal_sums | Data::nodal_force, !scene.membranes.empty(),
-      each_field<Dim>([](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { membranes_to_grid(s, g, step.dt); })};
+  return {"membranes_to_grid",
+          Data::time | Data::membranes | Data::membrane_position | Data::membrane_velocity | Data::membrane_cloth |
+              Data::membrane_load,
+          Data::membrane_tension | Data::nodal_sums | Data::nodal_force, !scene.membranes.empty(),
+          each_field<Dim>(
+              [](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { membranes_to_grid(s, g, step.t, step.dt); })};
 }
 
 template <int Dim>

@@ -57,6 +57,34 @@ double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, cons
   return sum;
 }
 
+/// Porosity, resistance and lightness of grains at the nodes of the water.
+template <int Dim>
+void weigh_nodes(const Grid<Dim>& grid, Grid<Dim>& around) {
+  for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
+    for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
+      const double grains = at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+      const double n = std::max(0.0, 1 - grains);
+      around.pore_share[flat] = n;
+      // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
+      // water leaves as if the soil ended half a cell lower.
+      around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(grid, grid.drag_resistance, flat, node) : 0.0;
+      const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
+      around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
+    }
+  });
+}
+
+/// Adds the soil's part of the force of the cell pressures.
+template <int Dim>
+void push_grains(Grid<Dim>& grid, const Grid<Dim>& around) {
+  for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>& node) {
+    const RowForce<Dim> force = cell_pressure_force<Dim>(around, begin, count, node);
+    for (int k = 0; k < count; ++k)
+      for (int a = 0; a < Dim && grid.sum[begin + k][3] > 0; ++a)
+        grid.force[begin + k][a] += (1 - around.pore_share[begin + k]) * force[a][k];
+  });
+}
+
 }  // namespace
 
 double PoreSoil::resistance(double n) const {
@@ -119,23 +147,11 @@ void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Gri
 }
 
 template <int Dim>
-void share_pore_pressure(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
+void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
   for_each_pair(soils, [&](int field, int water) {
-    Grid<Dim>&around = grids[water], &grid = grids[field];
-    for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
-      const RowForce<Dim> force = cell_pressure_force<Dim>(around, begin, count, node);
-      for (int k = 0; k < count; ++k, ++node[0]) {
-        const int flat = begin + k;
-        const double grains = at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
-        around.pore_share[flat] = std::max(0.0, 1 - grains);
-        // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil water
-        // leaves as if the soil ended half a cell lower.
-        const double n = around.pore_share[flat];
-        around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(grid, grid.drag_resistance, flat, node) : 0.0;
-        if (grid.sum[flat][3] <= 0) continue;
-        for (int a = 0; a < Dim; ++a) grid.force[flat][a] += (1 - around.pore_share[flat]) * force[a][k];
-      }
-    });
+    weigh_nodes(grids[field], grids[water]);
+    if (grids[water].largest_modulus > 0) soften_light_cells(grids[water], dt);
+    push_grains(grids[field], grids[water]);
   });
 }
 
@@ -181,7 +197,7 @@ void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
 
 #define GEODROP_INSTANTIATE(D)                                                        \
   template void sum_grains(const std::vector<PoreSoil>&, const State<D>&, Grids<D>&); \
-  template void share_pore_pressure(const std::vector<PoreSoil>&, Grids<D>&);         \
+  template void share_pore_pressure(const std::vector<PoreSoil>&, double, Grids<D>&); \
   template void drag_pore_water(const std::vector<PoreSoil>&, double, Grids<D>&);     \
   template void update_pore_rate(const std::vector<PoreSoil>&, Grids<D>&);
 GEODROP_INSTANTIATE(2)

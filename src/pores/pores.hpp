@@ -46,15 +46,17 @@ double pore_wave_speed(const Scene& scene);
 template <int Dim>
 void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Grids<Dim>& grids);
 
-/// Porosity and resistance at the nodes of the water; the soil's part of the pressure joins its nodal forces.
+/// Porosity and resistance at the nodes of the water; cells too stiff for the step give up pressure; the soil's part of
+/// the pressure joins its nodal forces.
 template <int Dim>
-void share_pore_pressure(const std::vector<PoreSoil>& soils, Grids<Dim>& grids);
+void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids);
 
 /// Drag between both new nodal velocities: an impulse and its opposite.
 template <int Dim>
 void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids);
 
-/// Volume rate of the water in cells: that of the mixture over the volume of the water.
+/// Volume rate of the water in cells: that of the mixture over the volume of the water, times the share of cells that
+/// gave up pressure.
 template <int Dim>
 void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids);
 

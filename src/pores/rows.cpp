@@ -14,10 +14,11 @@ Row<Dim> pore_space_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> pore_pressure_row(const Scene& scene) {
-  return {"pore_pressure", Data::pore_space | Data::cell_pressure | Data::nodal_sums,
-          Data::pore_space | Data::nodal_force, any_pores(scene),
-          [soils = pore_soils(scene)](const State<Dim>&, Grids<Dim>& f, const StepContext&) {
-            share_pore_pressure(soils, f);
+  return {"pore_pressure",
+          Data::pore_space | Data::cell_volume | Data::cell_flags | Data::cell_pressure | Data::nodal_sums,
+          Data::pore_space | Data::cell_pressure | Data::volume_rate | Data::nodal_force, any_pores(scene),
+          [soils = pore_soils(scene)](const State<Dim>&, Grids<Dim>& f, const StepContext& step) {
+            share_pore_pressure(soils, step.dt, f);
           }};
 }
 
@@ -31,7 +32,8 @@ Row<Dim> pore_drag_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> pore_rate_row(const Scene& scene) {
-  return {"pore_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::nodal_sums,
+  return {"pore_rate",
+          Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::volume_rate | Data::nodal_sums,
           Data::pore_space | Data::volume_rate, any_pores(scene),
           [soils = pore_soils(scene)](const State<Dim>&, Grids<Dim>& f, const StepContext&) {
             update_pore_rate(soils, f);

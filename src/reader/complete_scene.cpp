@@ -1,6 +1,7 @@
 #include "complete_scene.hpp"
 #include "base/nearest_name.hpp"
 #include "check_value.hpp"
+#include "former_words.hpp"
 #include "key_table.hpp"
 #include "keys/plain_values.hpp"
 #include "keys/to_text.hpp"
@@ -86,6 +87,7 @@ class TableWalker {
       accept(key, *parsed.get("x"), path);
       return;
     }
+    if (key.need.how == Need::How::derived) return;
     if (key.need.how == Need::How::instead_of) {
       const std::string other(key.need.text);
       // Said once for the two, at the first of them in the table.
@@ -202,7 +204,9 @@ class TableWalker {
       const SourceRef at =
           to_ref(node.source().path && *node.source().path == kOverrideSource ? node.source() : name.source());
       const std::string path = path_of(name.str());
-      if (uses.empty()) {
+      if (const std::string_view instead = gone_word(section_.path, name.str()); !instead.empty()) {
+        report_.add_at(at, path, "a key of earlier versions", std::string(instead));
+      } else if (uses.empty()) {
         report_.add_at(at, path, "an unknown key", name_advice(name.str(), known, "keys here"));
       } else {
         report_.add_at(at, path, "a key that does not apply here", "only with " + uses);

@@ -49,6 +49,18 @@ void rename_below(toml::node& node, const Section& section, Kind kind, const std
 
 }  // namespace
 
+std::string_view gone_word(std::string_view section, std::string_view key) {
+  struct Gone {
+    std::string_view section, key, instead;
+  };
+  constexpr Gone gone[] = {{"membranes", "averaging_segments",
+                            "no such key any more: strain is not averaged over segments, the geotextile slides over "
+                            "what is inside (contents_friction), and tension is reported over gauge_length"}};
+  for (const Gone& word : gone)
+    if (word.section == section && word.key == key) return word.instead;
+  return {};
+}
+
 void rename_former_words(toml::table& written, Report& report) { rename_in(written, scene_section(), "", report); }
 
 std::vector<std::string> present_words(std::vector<std::string> parts, Report& report) {

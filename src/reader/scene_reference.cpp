@@ -22,7 +22,7 @@ against (`src/reader/sections/`), so it says what the program does.
   or by index from 0. The value is TOML; a bare word is a text; an empty value (`--set solver.blend_rate=`) removes the
   key.
 - The run directory holds the scene as run: overrides applied, defaults filled in. It can be run again.
-- Numbers are finite; only `to` of a result may be `inf`.
+- Numbers are finite, unless their row says that they may be `inf`.
 - `dimension = 2` is plane strain in x and y, per metre of depth; `dimension = 3` is space. Points have as many numbers as
   the scene has dimensions. The last axis is the vertical one: y in 2D, z in 3D. Membranes are in 2D only.
 
@@ -59,6 +59,8 @@ std::string need_text(const Key& key) {
       return "required";
     case Need::How::standard:
       return "`" + std::string(key.need.text) + "`";
+    case Need::How::derived:
+      return std::string(key.need.text);
     case Need::How::instead_of:
       return "this or `" + std::string(key.need.text) + "`";
   }

@@ -1,6 +1,11 @@
 #include "needs.hpp"
 
+#include <geodrop/base/find_named.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace geodrop {
 
@@ -41,6 +46,25 @@ bool any_pores(const Scene& scene) {
 bool saturates(const Scene& scene, const std::string& body) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
                      [&](const BodySpec& soil) { return soil.saturated_by == body; });
+}
+
+double contents_friction(const Scene& scene, const MembraneSpec& membrane) {
+  constexpr double share_of_angle = 2.0 / 3;  // of soil on geotextile, as is usual in design
+  if (membrane.contents_friction >= 0) return membrane.contents_friction;
+  const MaterialSpec& material = *find_material(scene, find_named(scene.bodies, membrane.body).material);
+  if (std::holds_alternative<NewtonianSpec>(material.model)) return 0;
+  const auto* soil = std::get_if<MohrCoulombSpec>(&material.model);
+  return soil ? std::tan(share_of_angle * soil->friction_angle_deg * std::numbers::pi / 180)
+              : std::numeric_limits<double>::infinity();
+}
+
+bool slides(const Scene& scene, const MembraneSpec& membrane) {
+  return membrane.axial_stiffness > 0 && std::isfinite(contents_friction(scene, membrane));
+}
+
+bool any_membrane_slides(const Scene& scene) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                     [&](const MembraneSpec& membrane) { return slides(scene, membrane); });
 }
 
 }  // namespace geodrop

@@ -21,6 +21,12 @@ bool any_pores(const Scene& scene);
 /// Whether this body is the water in the pores of another.
 bool saturates(const Scene& scene, const std::string& body);
 
+/// mu between a membrane and its body, given or as the material of the body says; infinite: glued [-].
+double contents_friction(const Scene& scene, const MembraneSpec& membrane);
+/// It has a tension, and is not glued to its body.
+bool slides(const Scene& scene, const MembraneSpec& membrane);
+bool any_membrane_slides(const Scene& scene);
+
 bool any_tracer(const Scene& scene);
 
 }  // namespace geodrop

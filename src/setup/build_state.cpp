@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "boundary/silent_side.hpp"
 #include "boundary/viscous_boundary.hpp"
@@ -19,6 +20,8 @@
 #include "fill_particles.hpp"
 #include "measure/probes/probes.hpp"
 #include "membrane/membrane_nodes.hpp"
+#include "membrane/tension_gauge.hpp"
+#include "scene/needs.hpp"
 #include "scene_stages.hpp"
 #include "solutions/initial_stress.hpp"
 
@@ -130,7 +133,8 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.closed = spec.closed;
   membrane.axial_stiffness = spec.axial_stiffness;
   membrane.strength = spec.strength;
-  membrane.averaging_segments = spec.averaging_segments;
+  membrane.contents_friction = slides(scene, spec) ? contents_friction(scene, spec) : 0;
+  membrane.gauge_length = spec.gauge_length;
   membrane.half_size = 0.5 / spec.segments_per_cell;
   const std::vector<Point> nodes = membrane_nodes(scene, spec);
   const std::size_t n = nodes.size();
@@ -149,6 +153,12 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   }
   membrane.strain.assign(segments, 0.0);
   membrane.tension.assign(segments, 0.0);
+  if (spec.axial_stiffness > 0) membrane.gauge.sums.assign(gauge_slots * segments, 0.0);
+  if (slides(scene, spec)) {
+    const double rest = std::accumulate(membrane.rest_length.begin(), membrane.rest_length.end(), 0.0);
+    for (const double part : membrane.rest_length) membrane.share.push_back(part / rest);
+    if (membrane.contents_friction > 0) membrane.contents_pressure.assign(n, 0.0);
+  }
   membrane.sharp = spec.interface == Interface::sharp;
   membrane.bed = spec.bed;
   membrane.bed_friction = spec.bed_friction;
@@ -159,6 +169,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
     if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
     membrane.water_pressure.assign(segments, 0.0);
     membrane.water_shear.assign(segments, 0.0);
+    if (!spec.bed.empty()) membrane.bed_shear.assign(segments, 0.0);
   }
   return membrane;
 }

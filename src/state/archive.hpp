@@ -29,6 +29,10 @@ inline constexpr bool is_membrane = false;
 template <int Dim>
 inline constexpr bool is_membrane<Membrane<Dim>> = true;
 template <class T>
+inline constexpr bool is_tension_gauge = false;
+template <int Dim>
+inline constexpr bool is_tension_gauge<TensionGauge<Dim>> = true;
+template <class T>
 inline constexpr bool is_rigid_body = false;
 template <int Dim>
 inline constexpr bool is_rigid_body<RigidBody<Dim>> = true;
@@ -66,22 +70,26 @@ auto members(Part& part) {
   } else if constexpr (requires { fields_of(part); }) {
     return listed_fields(part);
   } else if constexpr (is_membrane<Plain>) {
-    auto& [name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v, mass,
-           rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction, drag_coefficient,
-           fluid_density, water_pressure, water_shear] = part;
-    return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, averaging_segments, half_size, x, v,
-                    mass, rest_length, strain, tension, tension_peak, load, bed, bed_friction, shear, wall_friction,
-                    drag_coefficient, fluid_density, water_pressure, water_shear);
+    auto& [name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length, half_size, x,
+           v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed, bed_friction, shear,
+           wall_friction, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear] = part;
+    return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length,
+                    half_size, x, v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed,
+                    bed_friction, shear, wall_friction, drag_coefficient, fluid_density, water_pressure, water_shear,
+                    bed_shear);
+  } else if constexpr (is_tension_gauge<Plain>) {
+    auto& [windows, sums, now, now_at, peak, peak_time, peak_at] = part;
+    return std::tie(windows, sums, now, now_at, peak, peak_time, peak_at);
   } else if constexpr (is_rigid_body<Plain>) {
     auto& [name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement, angle_rate,
            velocity] = part;
     return std::tie(name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement,
                     angle_rate, velocity);
   } else if constexpr (is_rigid_contact<Plain>) {
-    auto& [touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force, friction_force,
-           normal_sum, friction_sum, friction_work, damping_work, driving_work] = part;
-    return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, points, slip, side, normal_force,
-                    friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work);
+    auto& [touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side, normal_force,
+           friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work] = part;
+    return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side,
+                    normal_force, friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work);
   } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
     auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);
@@ -106,7 +114,8 @@ auto members(Part& part) {
     return std::tie(name, x, v, initial_x, field, body);
   } else {
     auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget] = part;
+           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget, of_this_process] =
+        part;
     return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
                     membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget);
   }

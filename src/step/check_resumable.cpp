@@ -168,12 +168,13 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
   const Part part("membrane '" + built.name + "'");
   part.require(alike(membrane, built, &M::name, &M::body, &M::bed), "another name, body or bed");
   part.require(alike(membrane, built, &M::field), "another velocity field");
-  part.require(
-      alike(membrane, built, &M::closed, &M::sharp, &M::axial_stiffness, &M::strength, &M::averaging_segments,
-            &M::half_size, &M::bed_friction, &M::shear, &M::wall_friction, &M::drag_coefficient, &M::fluid_density),
-      "other settings");
+  part.require(alike(membrane, built, &M::closed, &M::sharp, &M::axial_stiffness, &M::strength, &M::contents_friction,
+                     &M::gauge_length, &M::half_size, &M::bed_friction, &M::shear, &M::wall_friction,
+                     &M::drag_coefficient, &M::fluid_density),
+               "other settings");
   part.require(alike(membrane, built, &M::x, &M::v, &M::mass, &M::rest_length, &M::strain, &M::tension, &M::load,
-                     &M::water_pressure, &M::water_shear),
+                     &M::share, &M::contents_pressure, &M::water_pressure, &M::water_shear, &M::bed_shear) &&
+                   membrane.gauge.sums.size() == built.gauge.sums.size(),
                "another number of nodes or of their quantities");
   part.require(all_finite(membrane), "a value of a node that is not finite");
   part.require(in_domain<Dim>(layout, membrane.x), "a node outside of the domain");
@@ -196,6 +197,7 @@ void check_rigid_contact(const State<Dim>& state, const RigidContact<Dim>& built
       "another pair or other settings");
   part.require(contact.slip.size() == contact.points.size() && contact.side.size() == contact.points.size(),
                "another number of points than of what is known of them");
+  part.require(contact.half_width.size() == contact.reach.size(), "another number of half widths than of particles");
   std::size_t points = contact.reach.size();
   for (const Membrane<Dim>& membrane : state.membranes)
     if (!contact.bare && membrane.name == contact.touching) points = membrane.nodes();

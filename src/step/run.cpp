@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "check_resumable.hpp"
+#include "membrane/tension_gauge.hpp"
 #include "parts.hpp"
 #include "setup/memory_estimate.hpp"
 
@@ -20,7 +21,7 @@ template <int Dim>
 void write_due_output(Output<Dim>& output, State<Dim>& state) {
   if (output.history_due(state.t)) {
     output.write_history(Frame<Dim>(state));
-    for (Membrane<Dim>& membrane : state.membranes) membrane.tension_peak = 0;
+    for (Membrane<Dim>& membrane : state.membranes) restart_peak(membrane.gauge);
   }
   if (output.frame_due(state.t)) output.write_frame(Frame<Dim>(state));
 }

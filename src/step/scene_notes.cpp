@@ -70,12 +70,26 @@ std::string drained_under_water(const Scene& scene, const BodySpec& body) {
       fluid->fluid.c_str(), highest, lowest, tangent);
 }
 
+/// Soil inside a closed membrane that opens where the bag is shaken keeps that volume, and stretches the bag. It is no
+/// default: a material may be that of soil outside, too, void memory is for soil without dilatancy only, and published
+/// comparisons are without.
+std::string soil_that_swells(const Scene& scene, const BodySpec& body) {
+  const auto* soil = std::get_if<MohrCoulombSpec>(&find_material(scene, body.material)->model);
+  if (!soil || soil->void_memory || soil->dilatancy_angle_deg != 0) return {};
+  for (const MembraneSpec& membrane : scene.membranes)
+    if (membrane.body == body.name && membrane.closed && membrane.axial_stiffness > 0)
+      return "soil of body \"" + body.name + "\" keeps the volume by which it opens inside membrane \"" +
+             membrane.name + "\": a bag that is dropped swells; void_memory = true lets its soil close again";
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> scene_notes(const Scene& scene) {
   std::vector<std::string> notes = scene.notes;
   for (const BodySpec& body : scene.bodies)
-    if (const std::string note = drained_under_water(scene, body); !note.empty()) notes.push_back(note);
+    for (const std::string& note : {drained_under_water(scene, body), soil_that_swells(scene, body)})
+      if (!note.empty()) notes.push_back(note);
   return notes;
 }
 

@@ -1,4 +1,4 @@
-// Sums over the particles of each pressure cell: volume, and volume times pressure.
+// Sums over the particles of each pressure cell: volume, volume times pressure and, if asked, volume times modulus.
 #pragma once
 
 #include "chunk_laws.hpp"
@@ -10,6 +10,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   alignas(64) double volume[chunk_size], pressure[chunk_size];
   alignas(64) std::int32_t cell[chunk_size];
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
+  const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * wave_modulus(body.material);
   double* const cell_volume = grid.cell_volume.data();
   double* const cell_pressure = grid.cell_pressure.data();
   const GridLayout<Dim>& layout = grid.layout;
@@ -32,6 +33,8 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
       cell_volume[cell[k]] += volume[k];
       cell_pressure[cell[k]] += carried * volume[k] * pressure[k];
     }
+    if (modulus > 0)
+      for (int k = 0; k < count; ++k) grid.cell_modulus[cell[k]] += modulus * volume[k];
   }
 }
 

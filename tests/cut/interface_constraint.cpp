@@ -2,6 +2,9 @@
 #include "cut/interface_constraint.hpp"
 
 #include <doctest/doctest.h>
+#include <geodrop/base/error.hpp>
+
+#include <limits>
 
 #include "support/near.hpp"
 #include "support/sharp_box.hpp"
@@ -41,6 +44,7 @@ SharpBox on_bed(double approach, double friction, double pore_pressure) {
   SharpBox box = tall();
   box.skin().bed = "pool";
   box.skin().bed_friction = friction;
+  box.skin().bed_shear.assign(box.skin().segments(), 0.0);
   Body<2> lattice = lattice_body<2>(box.around().layout, LinearElastic{box_density, 2e6, 1e6}, 2);
   lattice.name = "pool";
   lattice.pore_pressure.assign(lattice.size(), pore_pressure);
@@ -104,6 +108,20 @@ TEST_CASE("The wall law never does more than stop the slip") {
   }
 }
 
+TEST_CASE("Water that sticks drags a membrane over soil by mu p' at most, p' of the soil inside") {
+  constexpr double mu = 0.3, inside = 2e3;
+  SharpBox box = slipping(Shear::no_slip), firm = slipping(Shear::no_slip), sticks = slipping(Shear::no_slip);
+  for (auto [limited, pressure] : {std::pair{&box, inside}, std::pair{&firm, 1e9}}) {
+    limited->skin().contents_friction = mu;
+    limited->skin().contents_pressure.assign(limited->skin().nodes(), pressure);
+  }
+  for (SharpBox* each : {&box, &firm, &sticks}) join_interfaces(each->state, each->grids, dt);
+  for (const double y : {5.0, 6.0, 7.0}) {
+    CHECK(shear_upwards(box, y) == near(mu * inside, 1e-9));
+    CHECK(shear_upwards(firm, y) == near(shear_upwards(sticks, y), 0.03));  // as under the wall law
+  }
+}
+
 TEST_CASE("On a bed friction is mu times the effective pressure where it slips, against the slip") {
   constexpr double mu = 0.1, pore = 3e3;
   const SharpBox box = on_bed(0.5, mu, pore);
@@ -111,6 +129,8 @@ TEST_CASE("On a bed friction is mu times the effective pressure where it slips, 
     const double p = box.state.membranes[0].water_pressure[box.segment_at(3.25, y)];
     CHECK(p > 2e4);
     CHECK(shear_upwards(box, y) == near(-mu * (p - pore), 1e-9));
+    const std::size_t segment = box.segment_at(3.25, y);
+    CHECK(box.state.membranes[0].bed_shear[segment] == box.state.membranes[0].water_shear[segment]);
   }
 }
 
@@ -127,4 +147,22 @@ TEST_CASE("A bed pushes but does not pull; a fluid pulls as much as it pushes") 
   const std::size_t middle = in_water.segment_at(3.25, 6);
   CHECK(in_water.skin().water_pressure[middle] < -2e4);
   CHECK(in_water.skin().water_pressure[middle] == near(-towards.skin().water_pressure[middle], 1e-6));
+}
+
+TEST_CASE("Steps in which the pressures are not found are counted, and a hundred in a row end the run") {
+  SharpBox box = tall();
+  const auto step_with = [&](double velocity) {
+    for (Grid<2>& grid : box.grids) std::fill(grid.velocity.begin(), grid.velocity.end(), Vec4{});
+    std::fill(box.skin().water_pressure.begin(), box.skin().water_pressure.end(), 0.0);
+    move_left_side(box.around(), velocity, 0);
+    join_interfaces(box.state, box.grids, dt);
+  };
+  const double unsolvable = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < 99; ++k) step_with(unsolvable);
+  CHECK(box.state.constraint_watch.unsolved == 99);
+  step_with(speed);
+  CHECK(box.state.constraint_watch.unsolved == 99);
+  CHECK(box.state.constraint_watch.in_a_row == 0);
+  for (int k = 0; k < 99; ++k) step_with(unsolvable);
+  CHECK_THROWS_AS(step_with(unsolvable), RunError);
 }

@@ -97,7 +97,7 @@ TEST_CASE("the hash sees a change of any value") {
       [](State<2>& s) { s.membranes[0].x[0][0] = 9; },
       [](State<2>& s) { s.membranes[0].v[1][0] = 9; },
       [](State<2>& s) { s.membranes[0].strain[0] = 9; },
-      [](State<2>& s) { s.membranes[0].tension_peak = 9; },
+      [](State<2>& s) { s.membranes[0].gauge.peak = 9; },
       [](State<2>& s) { s.tracers[0].v[1] = 9; },
   };
   const std::string original = state_hash(odd_state());

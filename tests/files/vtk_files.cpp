@@ -10,6 +10,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -155,6 +157,8 @@ TEST_CASE("membranes come back as lines with their tension") {
   CHECK(lines->GetCellData()->GetArray("tension")->GetComponent(2, 0) == 300);
   CHECK(lines->GetCellData()->GetArray("strain")->GetComponent(3, 0) == -0.5);
   CHECK(lines->GetCellData()->GetArray("utilisation")->GetComponent(1, 0) == near(0.4, 4e-8));
+  CHECK(std::isnan(lines->GetCellData()->GetArray("contents_pressure")->GetComponent(0, 0)));
+  CHECK(std::isnan(lines->GetCellData()->GetArray("water_pressure")->GetComponent(0, 0)));
   CHECK(lines->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 2);
 }
 

@@ -155,7 +155,7 @@ void start_alike(const State<2>& one, State<2>& other, const Way& way) {
     }
   }
   for (std::size_t c = 0; c < one.rigid_contacts.size(); ++c)
-    other.rigid_contacts[c].reach = one.rigid_contacts[c].reach;
+    other.rigid_contacts[c].reach = other.rigid_contacts[c].half_width = one.rigid_contacts[c].reach;
 }
 
 Differences compare(const RandomScene& scene, const Run& one, const Run& other, const Way& way) {

@@ -136,20 +136,23 @@ TEST_CASE("pressure of water comes from its density, of soil from its stress") {
 
 TEST_CASE("membrane: tension and where, length, area, utilisation") {
   State<2> state = small_state();
+  state.membranes[0].gauge.peak = 350;
+  state.membranes[0].gauge.peak_at = {4, 3.5};
+  state.membranes[0].gauge.peak_time = 0.75;
   auto row = row_of(small_scene(), state);
   CHECK(row.at("skin.tension_max_N_m") == 300);
   CHECK(row.at("skin.tension_max_x_m") == 4);
   CHECK(row.at("skin.tension_max_y_m") == 5);
   CHECK(row.at("skin.tension_mean_N_m") == near(2 * 600 / 10.0, 1e-12));
   CHECK(row.at("skin.tension_p95_N_m") == near(200 + 0.85 * 100, 1e-12));  // rank 0.95 * 3 of 0 100 200 300
-  CHECK(row.at("skin.tension_peak_N_m") == 300);
+  CHECK(row.at("skin.tension_gauge_N_m") == 350);
+  CHECK(row.at("skin.tension_gauge_y_m") == 3.5);
+  CHECK(row.at("skin.tension_gauge_time_s") == 0.75);
   CHECK(row.at("skin.length_m") == 8);
   CHECK(row.at("skin.area_m2") == 4);
-  CHECK(row.at("skin.utilisation_max") == near(0.6, 1e-12));
-  state.membranes[0].tension_peak = 450;
+  CHECK(row.at("skin.utilisation_max") == near(0.7, 1e-12));
   state.membranes[0].strength = 0;
   row = row_of(small_scene(), state);
-  CHECK(row.at("skin.tension_peak_N_m") == 450);
   CHECK(std::isnan(row.at("skin.utilisation_max")));
 }
 

@@ -22,7 +22,9 @@ Scene scene_with_strength(double strength) {
 std::vector<double> row_at(const Scene& scene, double t, double peak, const HistoryTable& earlier) {
   State<2> state = small_state();
   state.t = t;
-  state.membranes[0].tension_peak = peak;
+  state.membranes[0].gauge.peak = peak;
+  state.membranes[0].gauge.peak_time = t - 0.125;
+  state.membranes[0].gauge.peak_at = {4, 5};
   return history_row(scene, state, earlier);
 }
 
@@ -40,7 +42,6 @@ TEST_CASE("the first row beyond the strength gives one warning with membrane, te
   CHECK(strength_warnings(scene, history_of(scene, {400, 500})).empty());
   const std::vector<std::string> warnings = strength_warnings(scene, history_of(scene, {400, 450, 625.5}));
   REQUIRE(warnings.size() == 1);
-  // The third segment, between (5, 5) and (3, 5), bears the most.
   CHECK(
       warnings[0] ==
       "warning: membrane skin exceeds its strength: tension 625.5 N/m, strength 500 N/m, by t = 0.5 s, near (4, 5) m; "
@@ -54,20 +55,22 @@ TEST_CASE("the peak is the largest of all rows, at the first row that has it") {
   const Scene scene = scene_with_strength(500);
   const std::vector<Fact> facts = membrane_peaks(scene, history_of(scene, {400, 625.5, 350, 625.5}));
   REQUIRE(facts.size() == 2);
-  CHECK(facts[0].name == "skin.tension_peak_N_m");
+  CHECK(facts[0].name == "skin.tension_gauge_N_m");
   CHECK(facts[0].value == 625.5);
   CHECK(facts[1].name == "skin.time_of_peak_s");
-  CHECK(facts[1].value == 0.25);
+  CHECK(facts[1].value == 0.125);
   CHECK(membrane_peaks(scene, {history_columns(scene), {}}).empty());
 }
 
 TEST_CASE("the run's log and summary tell of the membrane") {
   const TemporaryDirectory directory;
-  const Scene scene = scene_with_strength(250);  // the state's tension is 300
+  const Scene scene = scene_with_strength(250);  // the state's peak is 300
   RunOptions options;
   options.directory = directory / "run";
   Output<2> output(scene, options);
   State<2> state = small_state();
+  state.membranes[0].gauge.peak = 300;
+  state.membranes[0].gauge.peak_time = 0.5;
   output.start(Frame<2>(state));
   state.t = 1;
   output.finish(Frame<2>(state), {});
@@ -75,6 +78,6 @@ TEST_CASE("the run's log and summary tell of the membrane") {
   CHECK(log.find(warning) != std::string::npos);
   CHECK(log.find(warning) == log.rfind(warning));
   const std::string summary = read_file(directory / "run/summary.json");
-  CHECK(summary.find("\"skin.tension_peak_N_m\": {\"value\": 300, \"unit\": \"N/m\"}") != std::string::npos);
-  CHECK(summary.find("\"skin.time_of_peak_s\": {\"value\": 0, \"unit\": \"s\"}") != std::string::npos);
+  CHECK(summary.find("\"skin.tension_gauge_N_m\": {\"value\": 300, \"unit\": \"N/m\"}") != std::string::npos);
+  CHECK(summary.find("\"skin.time_of_peak_s\": {\"value\": 0.5, \"unit\": \"s\"}") != std::string::npos);
 }

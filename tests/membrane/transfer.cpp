@@ -44,7 +44,7 @@ void put_field(Grid<2>& grid) {
 TEST_CASE("A membrane brings its mass and momentum to the grid; its forces have no resultant but the right moment") {
   State<2> state = line_state();
   Grid<2> grid = box_grid(Transfer::blend);
-  membranes_to_grid(state, grid, dt);
+  membranes_to_grid(state, grid, 0, dt);
   double mass = 0, px = 0, py = 0, fx = 0, fy = 0, virial = 0;
   for_each_node(grid.layout, 2, [&](int flat, const std::array<int, 2>& i) {
     mass += grid.sum[flat][3];
@@ -69,8 +69,8 @@ TEST_CASE("A membrane brings its mass and momentum to the grid; its forces have 
 TEST_CASE("Without a record of its own, dt times the membrane's force joins the momentum") {
   State<2> state = line_state();
   Grid<2> apart = box_grid(Transfer::blend), joined = box_grid(Transfer::tpic);
-  membranes_to_grid(state, apart, dt);
-  membranes_to_grid(state, joined, dt);
+  membranes_to_grid(state, apart, 0, dt);
+  membranes_to_grid(state, joined, 0, dt);
   double worst = 0;
   for_each_node(apart.layout, 2, [&](int flat, const auto&) {
     worst = std::max(worst, largest_component(apart.sum[flat] + dt * apart.force[flat] - joined.sum[flat]));

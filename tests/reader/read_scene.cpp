@@ -81,16 +81,16 @@ TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   CHECK(model_of<NewtonianSpec>(scene, "oil").tension_cutoff == 1e5);
   CHECK(model_of<LinearElasticSpec>(scene, "steel") == LinearElasticSpec{7800, 2e11, 0.3});
   const auto& sand = model_of<MohrCoulombSpec>(scene, "sand");
-  CHECK(sand == MohrCoulombSpec{1631, 2.8e6, 0.333, 1e3, 30, 5, 100, std::nullopt});
+  CHECK(sand == MohrCoulombSpec{1631, 2.8e6, 0.333, 1e3, 30, 5, 100, {}});
   CHECK(model_of<MohrCoulombSpec>(scene, "clay").void_memory);
-  CHECK(model_of<MohrCoulombSpec>(scene, "clay").undrained == UndrainedSpec{0.4, 80e6});
+  CHECK(*model_of<MohrCoulombSpec>(scene, "clay").undrained() == UndrainedSpec{0.4, 80e6});
 }
 
 TEST_CASE("grains, water and gas become a density and a pore fluid, by hand") {
   const Scene scene = read_scene(every_key);
   // 0.6 2650 + 0.4 0.2 1000
   CHECK(model_of<MohrCoulombSpec>(scene, "fill").density == near(1670, 1e-12));
-  CHECK_FALSE(model_of<MohrCoulombSpec>(scene, "fill").undrained);
+  CHECK_FALSE(model_of<MohrCoulombSpec>(scene, "fill").undrained());
   const auto& silt = model_of<MohrCoulombSpec>(scene, "silt");
   CHECK(silt.density == 1950);
   REQUIRE(silt.undrained());
@@ -102,7 +102,7 @@ TEST_CASE("grains, water and gas become a density and a pore fluid, by hand") {
                                            "materials.fill.gas_pressure=2e5"};
   const Scene saturated = read_scene(every_key, undrained);
   CHECK(model_of<MohrCoulombSpec>(saturated, "fill").density == near(1990, 1e-12));
-  CHECK(model_of<MohrCoulombSpec>(saturated, "fill").undrained->fluid_bulk_modulus == near(2.13e9, 1e-12));
+  CHECK(model_of<MohrCoulombSpec>(saturated, "fill").undrained()->fluid_bulk_modulus == near(2.13e9, 1e-12));
   const Scene again = read_scene(
       every_key, {"materials.fill.grain_density=", "materials.fill.density=1670.0",
                   "materials.fill.porosity=", "materials.fill.saturation=", "materials.fill.fluid_density="});
@@ -168,7 +168,10 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[0].axial_stiffness == 1e6);
   CHECK(scene.membranes[0].slack == 0.01);
   CHECK(scene.membranes[0].segments_per_cell == 3);
-  CHECK(scene.membranes[1].averaging_segments == 2);
+  CHECK(scene.membranes[1].contents_friction == -1);
+  CHECK(scene.membranes[1].gauge_length == 0.2);
+  CHECK(scene.membranes[0].contents_friction == 0.3);
+  CHECK(scene.membranes[0].gauge_length == 0.5);
   CHECK(scene.membranes[0].interface == Interface::sharp);
   CHECK(scene.membranes[0].shear == Shear::wall_law);
   CHECK(scene.membranes[0].wall_friction == 0.01);

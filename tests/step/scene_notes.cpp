@@ -36,11 +36,18 @@ const std::string still =
     "[[membranes]]\nname = \"geotextile\"\nbody = \"bag\"\naxial_stiffness = 1e5\nmass_per_area = 0.5\nstrength = 1e5\n"
     "slack = 0.0\n[[still_fluids]]\nmembrane = \"geotextile\"\nfluid = \"water\"\nsurface = 16.0\n";
 
-std::vector<std::string> notes_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::vector<std::string> all_notes_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const TemporaryDirectory directory;
   const std::filesystem::path path = directory / "scene.toml";
   std::ofstream(path) << text;
   return scene_notes(read_scene(path, overrides));
+}
+
+/// Those on drained soil in water.
+std::vector<std::string> notes_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> notes = all_notes_of(text, overrides);
+  std::erase_if(notes, [](const std::string& note) { return contains(note, "void_memory"); });
+  return notes;
 }
 
 }  // namespace
@@ -83,4 +90,13 @@ TEST_CASE("dry soil and soil with water in its pores need no note") {
   CHECK(notes_of(bag(zero, pond), {"materials.sand.drainage=undrained", "materials.sand.porosity=0.4",
                                    "materials.sand.fluid_bulk_modulus=2e9"})
             .empty());
+}
+
+TEST_CASE("soil in a bag that keeps the volume by which it opens is told, and void memory ends that") {
+  const std::vector<std::string> notes = all_notes_of(bag(zero, still), {"still_fluids.0.surface=9.5"});
+  REQUIRE(notes.size() == 1);
+  CHECK(contains(notes[0], "soil of body \"bag\" keeps the volume by which it opens inside membrane \"geotextile\""));
+  CHECK(all_notes_of(bag(zero, still), {"still_fluids.0.surface=9.5", "materials.sand.void_memory=true"}).empty());
+  CHECK(all_notes_of(bag(zero, still), {"still_fluids.0.surface=9.5", "materials.sand.dilatancy_angle_deg=5"}).empty());
+  CHECK(all_notes_of(bag(zero, "")).empty());
 }

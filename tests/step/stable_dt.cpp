@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "grid/bases.hpp"
 #include "step/stable_dt.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
+#include "support/scene_files.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;
@@ -161,4 +163,45 @@ TEST_CASE("On graded axes the finest cell limits the step") {
   CHECK(each.layout.finest == finest_spacing(each.scene.grid));
   CHECK(each.dt() == near(0.5 * each.layout.finest / 50, 1e-14));
   CHECK(each.dt() == near(0.5 * 0.05 / 50, 0.05));
+}
+
+namespace {
+
+/// Largest sum of N'^2 / N of the splines of an axis, over places in a span [1/m2].
+template <class SplinesAt>
+double steepest(double low, double high, SplinesAt&& splines_at) {
+  constexpr int places = 1000;
+  double most = 0;
+  for (int k = 1; k < places; ++k) {
+    const double x = low + (high - low) * k / places;
+    const ThreeWeights n = splines_at(x);
+    most = std::max(most, n.g0 * n.g0 / n.w0 + n.g1 * n.g1 / n.w1 + n.g2 * n.g2 / n.w2);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("Quadratic splines: sum N'^2/N <= 6/h^2 along an axis bounds the frequency of any particles") {
+  // Each particle alone has w^2 = K V sum |grad N|^2 / (N m) <= 6 d c^2 / h^2, and nodes that share particles no more.
+  const double even = steepest(-0.5, 0.5, [](double r) { return Bspline2::at(r, 0); });
+  CHECK(even <= 6);
+  CHECK(even == near(6, 0.01));
+  CHECK(2 / std::sqrt(6.0 * 2) == near(0.577, 1e-3));
+  CHECK(2 / std::sqrt(6.0 * 3) == near(0.471, 1e-3));
+  // The defaults are below; a scene says 0.5 and 0.45 where it says nothing.
+  CHECK(read_scene(source_path("cases/hydrostatic_column.toml")).solver.courant < 2 / std::sqrt(12.0));
+  CHECK(read_scene(source_path("cases/hydrostatic_column_3d.toml")).solver.courant < 2 / std::sqrt(18.0));
+}
+
+TEST_CASE("On graded axes the bound holds with the finest cell") {
+  const Scene scene = graded_scene<2>(12, 0.25, WallKind::slip);
+  const GridLayout<2> layout(scene.grid, scene.walls);
+  for (int a = 0; a < 2; ++a)
+    for (int i = 1; i < layout.cells[a]; ++i) {
+      const KnotSpan& span = layout.knots[a][i + GridLayout<2>::pad];
+      const double middle = layout.node(a, i), half = span.width / 2;
+      const double most = steepest(middle - half, middle + half, [&](double x) { return GradedBspline2::at(span, x); });
+      CHECK(most <= 6 / (layout.finest * layout.finest));
+    }
 }

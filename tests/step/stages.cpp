@@ -36,9 +36,10 @@ TEST_CASE("Elastic solids with particle pressure have no stage of cells") {
 
 TEST_CASE("A sharp interface adds its stages") {
   CHECK(stages("cases/ellipse_release.toml") ==
-        Names{"sort_particles", "clear_grid", "cut_cells", "cell_pressure", "interface_pressure", "even_out_volumes",
-              "particles_to_grid", "membranes_to_grid", "interface_force", "momentum", "join_interfaces", "volume_rate",
-              "interface_rate", "grid_to_particles", "grid_to_membranes", "keep_sides"});
+        Names{"even_out_nodes", "sort_particles", "clear_grid", "cut_cells", "cell_pressure", "interface_pressure",
+              "even_out_volumes", "particles_to_grid", "slide_membranes", "membranes_to_grid", "interface_force",
+              "momentum", "join_interfaces", "volume_rate", "interface_rate", "grid_to_particles", "grid_to_membranes",
+              "keep_sides"});
 }
 
 TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
@@ -78,9 +79,9 @@ TEST_CASE("Cell pressure is a choice of the body") {
 
 TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two criteria of rest") {
   CHECK(stages("cases/geotube_556.toml", {"bodies.fluid.pressure=enclosed"}) ==
-        Names{"sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force", "clear_loads",
-              "membrane_contact", "enclosed_load", "membranes_to_grid", "momentum", "out_of_balance", "enclosed_rate",
-              "grid_to_particles", "grid_to_membranes", "kinetic_damping"});
+        Names{"even_out_nodes", "sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force",
+              "clear_loads", "membrane_contact", "slide_membranes", "enclosed_load", "membranes_to_grid", "momentum",
+              "out_of_balance", "enclosed_rate", "grid_to_particles", "grid_to_membranes", "kinetic_damping"});
   const Names pumped = stages("tests/scenes/tube.toml");
   CHECK(std::count(pumped.begin(), pumped.end(), "pumps") == 1);
   CHECK(std::count(pumped.begin(), pumped.end(), "kinetic_damping") == 1);

@@ -205,7 +205,7 @@ void RandomScene::draw_block(const std::string& name, const Pair& centre, double
   with(skin ? "skin" : "membrane");
   if (sharp_ && name == "block")
     keys += "interface = \"" + with("sharp") + "\"\nshear = \"" + pick<std::string>({"none", "no_slip"}) + "\"\n";
-  if (chance(0.3)) keys += "averaging_segments = " + std::to_string(static_cast<int>(uniform(0, 4))) + "\n";
+  if (chance(0.3)) keys += "contents_friction = " + pick<std::string>({"0.0", "inf"}) + "\n";
   membranes_.push_back(keys);
 }
 

@@ -56,7 +56,6 @@ Membrane<2> square_membrane() {
   skin.body = "bag";
   skin.axial_stiffness = 1000;
   skin.strength = 500;
-  skin.averaging_segments = 2;
   skin.x = {Array<double>{3, 5, 5, 3}, Array<double>{3, 3, 5, 5}};
   skin.v = {Array<double>(4, 0.0), Array<double>(4, 0.0)};
   skin.mass.assign(4, 0.5);

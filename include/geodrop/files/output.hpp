@@ -112,7 +112,7 @@ class Output {
   /// True at the first time at or after each multiple of the interval; never changes a time step.
   bool history_due(double t) const;
   bool frame_due(double t) const;
-  /// Adds a row; `tension_peak` of the membranes counts from the row before, so reset it to zero afterwards.
+  /// Adds a row; the peak of the membranes' gauges counts from the row before, so restart it afterwards.
   void write_history(Frame<Dim> frame);
   /// Copies the frame and hands it to the writer thread; waits if two are queued.
   void write_frame(Frame<Dim> frame);

@@ -30,6 +30,7 @@ enum class Data : std::uint8_t {
   membranes,
   membrane_position,
   membrane_velocity,
+  membrane_cloth,  ///< rest length and mass, which slide along the line; the pressure inside that holds them
   membrane_tension,
   membrane_load,
   water_traction,
@@ -54,6 +55,7 @@ enum class Data : std::uint8_t {
   nodal_pressure,
   enclosed_cells,
   cut_cells,
+  rigid_share,
   pore_space,
   count
 };

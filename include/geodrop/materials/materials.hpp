@@ -216,6 +216,9 @@ double wave_speed(const Material& material);
 /// What elastic compression waves meet at zero strain, rho c [Pa s/m].
 double impedance(const Material& material);
 
+/// rho c^2 of compression waves, pore water included [Pa].
+double wave_modulus(const Material& material);
+
 /// Speed of elastic shear waves at zero strain [m/s]; 0 in a fluid.
 double shear_wave_speed(const Material& material);
 

@@ -52,7 +52,9 @@ struct MembraneMeasures {
   double area = 0;                                              ///< enclosed, 2D and closed only [m2]
   double tension_deviation = 0;                                 ///< standard deviation along the rest length [N/m]
   Vec<Dim> lower = Vec<Dim>::Zero(), upper = Vec<Dim>::Zero();  ///< extremes of the nodes [m]
-  double utilisation_max = 0;                                   ///< tension over strength [-]; NaN without strength
+  double gauge_peak = 0, gauge_time = 0;  ///< largest mean over the gauge since the last report [N/m], when [s]
+  Vec<Dim> gauge_at = Vec<Dim>::Zero();   ///< middle of that gauge [m]
+  double utilisation_max = 0;             ///< gauge_peak over strength [-]; NaN without strength
 };
 template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane);

@@ -50,12 +50,13 @@ struct MembraneSpec {
   std::string body;           ///< lies on this body's outline
   std::vector<Point> points;  ///< polyline [m]; empty: the whole outline, closed
   bool closed = true;
-  double axial_stiffness = 0;    ///< J [N/m]
-  double mass_per_area = 0;      ///< [kg/m2]
-  double strength = 0;           ///< [N/m]
-  double slack = 0;              ///< rest length / drawn length - 1 [-]
-  double segments_per_cell = 4;  ///< spacing of nodes = h of the finest cells / segments_per_cell
-  int averaging_segments = 2;    ///< half width w of the box mean of strain and of force
+  double axial_stiffness = 0;     ///< J [N/m]
+  double mass_per_area = 0;       ///< [kg/m2]
+  double strength = 0;            ///< [N/m]
+  double slack = 0;               ///< rest length / drawn length - 1 [-]
+  double segments_per_cell = 4;   ///< spacing of nodes = h of the finest cells / segments_per_cell
+  double contents_friction = -1;  ///< mu between it and its body [-]; infinite: glued; < 0: as the body's material says
+  double gauge_length = 0.2;      ///< of the reported tension [m]
   Interface interface = Interface::mixture;
   Shear shear = Shear::none;
   double wall_friction = 0;     ///< C_f of Shear::wall_law [-]

@@ -41,6 +41,19 @@ struct Body : BodySettings, Particles<Dim> {
 template <int Dim>
 double mean_pressure(const Body<Dim>& body, std::size_t p);
 
+/// Tension as a wide-width strip test measures it: over a gauge length along the line and a time, see
+/// membrane/tension_gauge.
+template <int Dim>
+struct TensionGauge {
+  std::uint64_t windows = 0;          ///< of time that are complete, from the start of the run
+  Array<double> sums;                 ///< segments in each of the latest windows: T dt, the running one last [N s/m]
+  double now = 0;                     ///< largest along the line, over the latest whole time [N/m]
+  std::array<double, Dim> now_at{};   ///< middle of the gauge [m]
+  double peak = 0;                    ///< largest `now` since it was last reported [N/m]
+  double peak_time = 0;               ///< at the end of that time [s]
+  std::array<double, Dim> peak_at{};  ///< middle of the gauge [m]
+};
+
 /// Tension-only membrane: a polyline of nodes with segments between neighbours (2D).
 template <int Dim>
 struct Membrane {
@@ -51,15 +64,20 @@ struct Membrane {
   bool sharp = false;                   ///< its body and what is around it meet at a sharp interface
   double axial_stiffness = 0;           ///< J [N/m]
   double strength = 0;                  ///< [N/m]
-  int averaging_segments = 0;           ///< half width of the box mean
+  double contents_friction = 0;         ///< mu between it and its body, if it slides [-]
+  double gauge_length = 0;              ///< of the reported tension [m]
   double half_size = 0;                 ///< half distance of nodes when drawn, their domain for Basis::gimp [h]
   std::array<Array<double>, Dim> x, v;  ///< nodes [m], [m/s]
   Array<double> mass;                   ///< nodes [kg], per metre of depth
   Array<double> rest_length;            ///< segments [m]
-  Array<double> strain;                 ///< segments, averaged, signed [-]
-  Array<double> tension;                ///< segments, that acts: averaged twice [N/m]
-  double tension_peak = 0;              ///< largest tension since it was last reported [N/m]
+  Array<double> strain;                 ///< segments, signed [-]
+  Array<double> tension;                ///< segments [N/m]
+  TensionGauge<Dim> gauge;              ///< what is reported of it
   std::array<Array<double>, Dim> load;  ///< nodes: of contacts, of the weight inside [N]; else empty
+
+  // Of one that slides over its body:
+  Array<double> share;              ///< segments: of the length of the line, at the start [-]; else empty
+  Array<double> contents_pressure;  ///< nodes: effective pressure p' of a soil inside on it [Pa]; else empty
 
   // Of a sharp membrane:
   std::string bed;               ///< body around that it rubs on; empty: none
@@ -70,9 +88,11 @@ struct Membrane {
   double fluid_density = 0;      ///< of the fluid around [kg/m3]; 0: there is none
   Array<double> water_pressure;  ///< segments: of what is around [Pa]; else empty
   Array<double> water_shear;     ///< likewise, traction on the membrane along it, from node to node [Pa]
+  Array<double> bed_shear;       ///< the part of it that is friction on the bed [Pa]; empty without a bed
 
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }
+  bool slides() const { return !share.empty(); }
 };
 
 /// A rigid surface and how far it has moved. A pose is a rotation about `centre` and then a displacement.
@@ -101,7 +121,8 @@ struct RigidContact {
   double friction = 0;          ///< mu [-]
   double stiffness = 0;         ///< penalty: pressure per penetration [Pa/m]
   double damping = 0;           ///< of the penalty: pressure per normal velocity [Pa s/m]
-  Array<double> reach;          ///< bare: how far its surface is from a particle, by id [m]
+  Array<double> reach;          ///< bare: how far its surface is from a particle at the start, by id [m]
+  Array<double> half_width;     ///< bare: the same now, as the flow flattens or stretches what touches [m]
   Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending
   Array<double> slip;           ///< of each: stretch of its tangential spring, along the normal turned clockwise [m]
   Array<std::int8_t> side;      ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
@@ -178,6 +199,13 @@ struct EnergyBudget {
   double driven = 0;         ///< by the motion of rigid bodies, when it began
 };
 
+/// How often the pressures on sharp membranes were not found, see interface/interface_constraint. Counted anew after a
+/// checkpoint; no result depends on it.
+struct ConstraintWatch {
+  std::uint64_t unsolved = 0;  ///< steps so far in which the solver stopped short of its tolerance
+  std::uint64_t in_a_row = 0;  ///< of them, the last ones without a break
+};
+
 /// Massless points that move with the grid velocity.
 template <int Dim>
 struct Tracer {
@@ -205,6 +233,7 @@ struct State {
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
   EnergyBudget energy_budget;
+  ConstraintWatch constraint_watch;
 
   /// Number of particles of all bodies.
   std::size_t particles() const {

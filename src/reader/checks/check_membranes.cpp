@@ -6,6 +6,7 @@
 #include <geodrop/scene/velocity_fields.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace geodrop {
 namespace {
@@ -44,17 +45,16 @@ void check_strength(const MembraneSpec& membrane, const std::string& key, Report
              "a number > 0 [N/m]");
 }
 
-/// The running mean of a closed membrane is over 2 w + 1 different segments.
-void check_averaging(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+/// A fluid has no effective pressure that friction could follow from.
+void check_contents(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   const BodySpec* body = find_body(scene, membrane.body);
-  if (!membrane.closed || !body || !report.healthy(key) || !report.healthy("bodies")) return;
-  const Shape drawn = membrane.points.empty() ? body->shape : Shape{PolygonShape{membrane.points}};
-  const std::size_t segments = outline(drawn, finest_spacing(scene.grid) / membrane.segments_per_cell).size();
-  const std::size_t most = (segments - 1) / 2;
-  if (static_cast<std::size_t>(membrane.averaging_segments) <= most) return;
-  report.add(key + ".averaging_segments", std::to_string(membrane.averaging_segments),
-             "at most " + std::to_string(most) + " on a closed membrane of " + std::to_string(segments) +
-                 " segments: the mean is over 2 averaging_segments + 1 of them");
+  const MaterialSpec* material = body ? find_material(scene, body->material) : nullptr;
+  if (!material || !std::holds_alternative<NewtonianSpec>(material->model)) return;
+  if (!report.healthy(key + ".contents_friction")) return;
+  if (membrane.contents_friction > 0 && std::isfinite(membrane.contents_friction))
+    report.add(key + ".contents_friction",
+               to_text(membrane.contents_friction) + " on the fluid \"" + membrane.body + '"',
+               "0 or inf where a fluid is inside, which has no effective pressure");
 }
 
 /// Friction needs a bed, and a bed a membrane that slips on it.
@@ -122,7 +122,7 @@ void check_membranes(const Scene& scene, Report& report) {
     check_strength(membrane, key, report);
     if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
-    check_averaging(scene, membrane, key, report);
+    check_contents(scene, membrane, key, report);
     check_bed(scene, membrane, key, report);
     check_fluid_around(scene, membrane, key, report);
     if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);

@@ -4,7 +4,7 @@
 namespace geodrop {
 namespace {
 
-constexpr Range window{"0 to 64", [](double x) { return x >= 0 && x <= 64; }};
+constexpr Range friction_or_glued{">= 0, or inf", [](double x) { return x >= 0; }, true};
 constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart) to 64",
                       [](double x) { return x >= 2 && x <= 64; }};
 constexpr Range slack_range{"> -1", [](double x) { return x > -1; }};
@@ -33,7 +33,8 @@ SectionOf<MembraneSpec> membranes_section() {
       key("drag_coefficient", &MembraneSpec::drag_coefficient, "", standard("0.0"), not_negative, "C_d of a model drag 1/2 rho C_d W v^2 on the width W across the body's motion, in place of the wake that a flow without friction lacks; the fluid does not feel it").only("interface=sharp"),
       key("bed", &MembraneSpec::bed, standard("\"\""), free_text, "with interface = sharp: a body of soil around it on which it rubs and from which it parts rather than pull; it does not part from anything else"),
       key("bed_friction", &MembraneSpec::bed_friction, "", standard("0.0"), not_negative, "coefficient of friction on the bed; given with bed only"),
-      key("averaging_segments", &MembraneSpec::averaging_segments, "", standard("2"), window, "half width of the running mean of strain and force"),
+      key("contents_friction", &MembraneSpec::contents_friction, "", derived("tan(2/3 phi) of a mohr_coulomb body, `0.0` of a newtonian one, else `inf`"), friction_or_glued, "mu between the geotextile and what is inside: it slides along its line where its tension changes by more than mu p' per length, p' the effective pressure of the body on it; inf: glued to the body"),
+      key("gauge_length", &MembraneSpec::gauge_length, "m", standard("0.2"), positive, "length along the membrane that the reported tension is a mean over; 0.2 m is the width of a wide-width strip test"),
   }};
 }
 // clang-format on

@@ -17,7 +17,8 @@ SectionOf<SolverSpec> solver_section() {
       key("transfer", &SolverSpec::transfer, {{"tpic", Transfer::tpic}, {"blend", Transfer::blend}, {"musl", Transfer::musl}}, required, "tpic: particle velocity and its gradient from the grid; blend: tpic that keeps part of the particle's own velocity; musl: like blend without the gradient, strains from the particles' new velocity (the only one on tri3, tet4). For soil, quasi-static loading and water at rest tpic; for dumping, waves and vortices blend (docs/verification.md)"),
       key("blend_rate", &SolverSpec::blend_rate, "1/s", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)").only("transfer=blend|musl"),
       key("mass_matrix", &SolverSpec::mass_matrix, {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}}, standard("\"lumped\""), "lumped: nodes move by their own mass; consistent: corrected for lumping, which lowers the frequency of waves by about (k h)^2 / 8 (bspline2 and linear only)"),
-      key("courant", &SolverSpec::courant, "", standard("0.5"), courant_range, "C in dt = C h / (c + v); 0.3 where water splashes or falls on walls (docs/verification.md)"),
+      key("courant", &SolverSpec::courant, "", standard("0.5"), courant_range, "C in dt = C h / (c + v); bspline2 is stable up to 0.577 whatever the particles do (docs/step.md)").in(2),
+      key("courant", &SolverSpec::courant, "", standard("0.45"), courant_range, "C in dt = C h / (c + v); bspline2 is stable up to 0.471 whatever the particles do (docs/step.md)").in(3),
       key("damping_rate", &SolverSpec::damping_rate, "1/s", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"),
   }};
 }

@@ -1,0 +1,102 @@
+#include "slide_membranes.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "outline.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Stiffness that hinders sliding besides friction, over that of the cloth: makes the sliding of slack cloth unique. At
+/// 0.1 m/s it gives some Pa.
+constexpr double drag_share = 1e-4;
+
+/// Largest friction of its contacts [-]. Smooth ones load it across its line, whatever its polygon says.
+double contact_friction(const State<2>& state, const Membrane<2>& membrane) {
+  double friction = 0;
+  for (const RigidContact<2>& contact : state.rigid_contacts)
+    if (contact.touching == membrane.name) friction = std::max(friction, contact.friction);
+  for (const MembraneContact& contact : state.membrane_contacts)
+    if (contact.between[0] == membrane.name || contact.between[1] == membrane.name)
+      friction = std::max(friction, contact.friction);
+  return friction;
+}
+
+double half_length(const Cloth& cloth, std::size_t k) {
+  const std::size_t n = cloth.segments();
+  const double ahead = k < n ? cloth.length[k] : 0, behind = k > 0 ? cloth.length[k - 1] : 0;
+  return 0.5 * (ahead + (k == 0 && cloth.closed ? cloth.length[n - 1] : behind));
+}
+
+}  // namespace
+
+/// Lengths, rest lengths and loads along the line.
+void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
+  constexpr double least_length = 1e-12;  // of the rest length: two nodes in one place
+  cloth_.resize(membrane.segments(), membrane.closed);
+  cloth_.stiffness = membrane.axial_stiffness;
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    cloth_.length[s] = std::max(least_length * membrane.rest_length[s], segment_length(membrane, s));
+    cloth_.rest[s] = membrane.rest_length[s];
+    if (membrane.bed_shear.empty()) continue;
+    const double half = 0.5 * membrane.bed_shear[s] * cloth_.length[s];
+    cloth_.load[s] += half;
+    cloth_.load[end_of_edge(s, membrane.nodes())] += half;
+  }
+  const double rough = contact_friction(state, membrane);
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    const auto [tx, ty] = tangent_at(membrane, k);
+    cloth_.load[k] += membrane.mass[k] * (gravity_[0] * tx + gravity_[1] * ty);
+    if (!(rough > 0)) continue;
+    cloth_.load[k] += membrane.load[0][k] * tx + membrane.load[1][k] * ty;
+    // What touches soil in cloth holds the cloth, too. Over a fluid that would leave slack stretches undetermined.
+    cloth_.friction[k] =
+        (membrane.contents_friction > 0 ? rough : 0.0) * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
+  }
+}
+
+/// Mass follows the rest length that passes; momentum goes with it, from the node that it leaves.
+void MembraneSlide::move_mass(Membrane<2>& membrane) {
+  const double density = std::accumulate(membrane.mass.begin(), membrane.mass.end(), 0.0) /
+                         std::accumulate(membrane.rest_length.begin(), membrane.rest_length.end(), 0.0);
+  for (int a = 0; a < 2; ++a) {
+    momentum_[a].resize(membrane.nodes());
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) momentum_[a][k] = membrane.mass[k] * membrane.v[a][k];
+    for (std::size_t s = 0; s < membrane.segments(); ++s) {
+      const std::size_t end = end_of_edge(s, membrane.nodes());
+      const double mass = 0.5 * density * (cloth_.passed[s] + cloth_.passed[end]);
+      const double carried = mass * membrane.v[a][mass > 0 ? s : end];
+      momentum_[a][s] -= carried;
+      momentum_[a][end] += carried;
+    }
+  }
+  std::copy(cloth_.rest.begin(), cloth_.rest.end(), membrane.rest_length.begin());
+  share_mass(membrane);
+  if (!(density > 0)) return;
+  for (int a = 0; a < 2; ++a)
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) membrane.v[a][k] = momentum_[a][k] / membrane.mass[k];
+}
+
+void MembraneSlide::slide(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane) {
+  gather(state, membrane);
+  if (membrane.contents_friction > 0) {
+    pressure_.update(state, layout, membrane);
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      const double length = half_length(cloth_, k);
+      cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;
+      cloth_.drag[k] = drag_share * membrane.axial_stiffness / length;
+    }
+    solver_.solve(cloth_);
+  } else {
+    slide_freely(cloth_);
+  }
+  move_mass(membrane);
+}
+
+void MembraneSlide::slide(State<2>& state, const GridLayout<2>& layout) {
+  for (Membrane<2>& membrane : state.membranes)
+    if (membrane.slides() && membrane.field != waiting) slide(state, layout, membrane);
+}
+
+}  // namespace geodrop
