@@ -1,9 +1,11 @@
 #include "pores.hpp"
 
+#include <geodrop/geometry/shapes.hpp>
 #include <geodrop/scene/velocity_fields.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "grid/blocks.hpp"
 #include "grid/cell_pressure.hpp"
@@ -67,27 +69,42 @@ void weigh_nodes(const Grid<Dim>& grid, Grid<Dim>& around) {
       around.pore_share[flat] = n;
       // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
       // water leaves as if the soil ended half a cell lower.
-      around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(grid, grid.drag_resistance, flat, node) : 0.0;
+      around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(around, grid.drag_resistance, flat, node) : 0.0;
       const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
       around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
     }
   });
 }
 
-/// Adds the soil's part of the force of the cell pressures.
+/// Whether a wall takes a component of the force on a node.
+template <int Dim>
+bool wall_takes(const GridLayout<Dim>& layout, const std::array<int, Dim>& node, int component) {
+  constexpr int pad = GridLayout<Dim>::pad;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (layout.periodic(axis) || (node[axis] != pad && node[axis] != pad + layout.cells[axis])) continue;
+    const WallKind wall = node[axis] == pad ? layout.lower_wall[axis] : layout.upper_wall[axis];
+    if (axis == component || wall == WallKind::no_slip) return true;
+  }
+  return false;
+}
+
+/// Adds the soil's part of the force of the cell pressures. What a wall takes is left out: nodes of small mass, as
+/// those over the surface of a bed, would hand it to their neighbours.
 template <int Dim>
 void push_grains(Grid<Dim>& grid, const Grid<Dim>& around) {
-  for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>& node) {
+  for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
     const RowForce<Dim> force = cell_pressure_force<Dim>(around, begin, count, node);
-    for (int k = 0; k < count; ++k)
+    for (int k = 0; k < count; ++k, ++node[0])
       for (int a = 0; a < Dim && grid.sum[begin + k][3] > 0; ++a)
-        grid.force[begin + k][a] += (1 - around.pore_share[begin + k]) * force[a][k];
+        if (!wall_takes<Dim>(grid.layout, node, a))
+          grid.force[begin + k][a] += (1 - around.pore_share[begin + k]) * force[a][k];
   });
 }
 
 }  // namespace
 
 double PoreSoil::resistance(double n) const {
+  if (law == CoupledSpec::Permeability::constant) return water_unit_weight / conductivity;
   const auto kozeny = [](double of) { return std::pow(of, 3) / std::pow(1 - of, 2); };
   return water_unit_weight / (conductivity * kozeny(n) / kozeny(porosity));
 }
@@ -109,9 +126,26 @@ std::vector<PoreSoil> pore_soils(const Scene& scene) {
     const auto& fluid = std::get<NewtonianSpec>(find_material(scene, scene.bodies[water].material)->model);
     const CoupledSpec& pores = *soil.coupled();
     soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
-                     pores.porosity, pores.hydraulic_conductivity, fluid.density * g});
+                     pores.porosity, pores.hydraulic_conductivity, pores.permeability, fluid.density * g});
   }
   return soils;
+}
+
+Consolidation consolidation(const Scene& scene, const PoreSoil& soil) {
+  const BodySpec& body = scene.bodies[soil.body];
+  const Material skeleton = make_material(*find_material(scene, body.material));
+  Consolidation out;
+  const double modulus = reference_density(skeleton) * std::pow(wave_speed(skeleton), 2);
+  out.coefficient = soil.conductivity * modulus / soil.water_unit_weight;
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  out.path = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < scene.dimension; ++a) {
+    const double near = scene.grid.spacing / 2;
+    const int walls = (box.lower[a] < scene.grid.lower[a] + near) + (box.upper[a] > scene.grid.upper[a] - near);
+    if (walls < 2) out.path = std::min(out.path, (box.upper[a] - box.lower[a]) / (2 - walls));
+  }
+  out.time_factor = out.coefficient * scene.time.end / std::pow(out.path, 2);
+  return out;
 }
 
 double pore_wave_speed(const Scene& scene) {

@@ -5,7 +5,8 @@
 // fluid body, whose volume in pores is that of the water alone. Both have a velocity field of their own:
 //
 //   m_s a_s = -(1 - n) grad p + div sigma' + m_s g + R,   m_w a_w = -n grad p + m_w g - R,
-//   R = n^2 gamma_w / k (v_w - v_s) V,   k = k0 (n^3 / (1 - n)^2) / (n0^3 / (1 - n0)^2)   (Darcy; Kozeny-Carman)
+//   R = n^2 gamma_w / k (v_w - v_s) V,   k = k0 (n^3 / (1 - n)^2) / (n0^3 / (1 - n0)^2)   (Darcy; Kozeny-Carman, unless
+//   constant)
 //
 // The pressure p is that of the cells of the water. Its force on a node is divided by the node's porosity n_i; the rate
 // of a cell's water is the adjoint, from the velocity n_i v_w + (1 - n_i) v_s of the mixture. An even pressure so moves
@@ -22,11 +23,12 @@ namespace geodrop {
 
 /// A coupled soil and its water.
 struct PoreSoil {
-  int body = 0;                  ///< in the order of the scene
-  int field = 0, water = 0;      ///< velocity fields
-  double grain_density = 0;      ///< [kg/m3]
-  double porosity = 0;           ///< n0 [-]
-  double conductivity = 0;       ///< k0 [m/s]
+  int body = 0;              ///< in the order of the scene
+  int field = 0, water = 0;  ///< velocity fields
+  double grain_density = 0;  ///< [kg/m3]
+  double porosity = 0;       ///< n0 [-]
+  double conductivity = 0;   ///< k0 [m/s]
+  CoupledSpec::Permeability law{};
   double water_unit_weight = 0;  ///< gamma_w of Darcy's law [N/m3]
 
   /// n of a particle that has the volume ratio J.
@@ -37,6 +39,14 @@ struct PoreSoil {
 
 /// All of them.
 std::vector<PoreSoil> pore_soils(const Scene& scene);
+
+/// How far a coupled soil consolidates in a run (Terzaghi 1925).
+struct Consolidation {
+  double coefficient = 0;  ///< c_v = k M / gamma_w, M the confined modulus of the skeleton [m2/s]
+  double path = 0;  ///< of drainage [m]: least extent of the body, half of it if no wall is there; infinite: none
+  double time_factor = 0;  ///< T_v = c_v time.end / path^2 [-]
+};
+Consolidation consolidation(const Scene& scene, const PoreSoil& soil);
 
 /// Largest speed of waves in a coupled soil at the start [m/s]: skeleton and water with no drag between them, the
 /// fastest case. 0 if there is none.

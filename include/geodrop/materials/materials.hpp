@@ -99,6 +99,7 @@ struct UndrainedSpec {
 struct CoupledSpec {
   double porosity = 0;                ///< n0 at the start [-]
   double hydraulic_conductivity = 0;  ///< k0 at that porosity [m/s]
+  enum class Permeability { kozeny_carman, constant } permeability = Permeability::kozeny_carman;
   bool operator==(const CoupledSpec&) const = default;
 };
 /// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
