@@ -96,7 +96,7 @@ void add_share(const RigidSurface& surface, Grid<2>& grid) {
     });
 }
 
-/// dx = -w dt (|v| + v0) grad phi in shiftable cells, as in kernels/gather; w the width of the span.
+/// dx = -w dt (|v| + v0) grad phi in shiftable cells, as in transfer/gather; w the width of the span.
 Vec<2> shift_of(const Grid<2>& grid, const Body<2>& body, std::size_t p, double dt) {
   const GridLayout<2>& layout = grid.layout;
   const AxisSupport x = support_along(layout, 0, body.x[0][p], body.half_size);

@@ -156,7 +156,8 @@ class ContactRows {
 void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids<2>& grids,
            std::vector<Contact>& contacts) {
   for (std::size_t r = 0; r < rows.list().size(); ++r) {
-    const auto [c, direction] = rows.list()[r];
+    const std::size_t c = rows.list()[r].contact;
+    const Direction direction = rows.list()[r].direction;
     Membrane<2>& membrane = *contacts[c].membrane;
     const CutCells& cells = grids[membrane.field].outline;
     const bool normal = direction == Direction::normal;

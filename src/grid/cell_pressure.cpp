@@ -26,10 +26,6 @@ void add_interior_force(const Grid<Dim>& grid, int begin, int count, RowForce<Di
   });
 }
 
-/// Sums over the rows around a row, with one node or cell more at both ends.
-template <int Dim>
-using WideRow = std::array<double, GridLayout<Dim>::block_width[0] + 2>;
-
 /// Rows of a graded grid, walls included: what force_near_wall sums, first over y and z, whose tables are the same for
 /// the whole row, then over x.
 template <int Dim>
@@ -58,20 +54,30 @@ void add_graded_force(const Grid<Dim>& grid, int begin, int count, const std::ar
     }
 }
 
+/// int dN/dx_component over a cell, of the node that is entry `a` of its neighbourhood, walls folded in; h = 1.
+template <int Dim>
+double slope_integral(const Grid<Dim>& grid, const std::array<int, Dim>& cell, const std::array<int, Dim>& a,
+                      int component) {
+  double integral = 1;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto& table = grid.integrals[axis];
+    integral *= axis == component ? table.slope[cell[axis]][a[axis]] : table.value[cell[axis]][a[axis]];
+  }
+  return integral;
+}
+
 template <int Dim>
 std::array<double, Dim> force_near_wall(const Grid<Dim>& grid, const std::array<int, Dim>& node, int flat) {
   std::array<double, Dim> force{};
   for_neighbourhood(grid.layout, flat, [&](int cell, const std::array<int, Dim>& a) {
     // The cell at offset a - 1 from the node sees this node at offset 1 - a, i.e. as its entry 2 - a.
-    for (int component = 0; component < Dim; ++component) {
-      double integral = 1;
-      for (int axis = 0; axis < Dim; ++axis) {
-        const auto& table = grid.integrals[axis];
-        const int c = node[axis] + a[axis] - 1;
-        integral *= axis == component ? table.slope[c][2 - a[axis]] : table.value[c][2 - a[axis]];
-      }
-      force[component] += grid.cell_pressure[cell] * integral;
+    std::array<int, Dim> at, entry;
+    for (int axis = 0; axis < Dim; ++axis) {
+      at[axis] = node[axis] + a[axis] - 1;
+      entry[axis] = 2 - a[axis];
     }
+    for (int component = 0; component < Dim; ++component)
+      force[component] += grid.cell_pressure[cell] * slope_integral<Dim>(grid, at, entry, component);
   });
   return force;
 }
@@ -118,14 +124,8 @@ template <int Dim>
 double flux_near_wall(const Grid<Dim>& grid, const std::array<int, Dim>& cell, int flat) {
   double flux = 0;
   for_neighbourhood(grid.layout, flat, [&](int node, const std::array<int, Dim>& a) {
-    for (int component = 0; component < Dim; ++component) {
-      double integral = 1;
-      for (int axis = 0; axis < Dim; ++axis) {
-        const auto& table = grid.integrals[axis];
-        integral *= axis == component ? table.slope[cell[axis]][a[axis]] : table.value[cell[axis]][a[axis]];
-      }
-      flux += grid.velocity[node][component] * integral;
-    }
+    for (int component = 0; component < Dim; ++component)
+      flux += grid.velocity[node][component] * slope_integral<Dim>(grid, cell, a, component);
   });
   return flux;
 }
@@ -146,7 +146,7 @@ RowForce<Dim> cell_pressure_force(const Grid<Dim>& grid, int begin, int count, c
       for (int a = 0; a < Dim; ++a) force[a][k] = f[a];
     }
   }
-  const double scale = Dim == 2 ? grid.layout.h : grid.layout.h * grid.layout.h;
+  const double scale = face_measure(grid.layout);
   for (auto& component : force)
     for (double& f : component) f *= scale;
   return force;
@@ -154,7 +154,7 @@ RowForce<Dim> cell_pressure_force(const Grid<Dim>& grid, int begin, int count, c
 
 template <int Dim>
 void cell_volume_rate(Grid<Dim>& grid) {
-  const double scale = Dim == 2 ? grid.layout.h : grid.layout.h * grid.layout.h;
+  const double scale = face_measure(grid.layout);
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     RowForce<Dim> flux{};  // only its first component is used
     if (grid.layout.graded()) {

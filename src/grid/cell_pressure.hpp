@@ -18,9 +18,14 @@ inline constexpr double filled_ratio = 0.7;
 template <int Dim>
 void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift);
 
-/// S = (dt w)^2 of a filled cell alone, given by its stored coordinates and flat index, from the folded nodal masses.
+/// One number for each cell of a row of a block.
 template <int Dim>
-double cell_swing(const Grid<Dim>& grid, const std::array<int, Dim>& cell, int flat, double dt);
+using CellRow = std::array<double, GridLayout<Dim>::block_width[0]>;
+
+/// S = (dt w)^2 of `count` cells along x, each alone, from flat index `begin`, stored coordinates `cell`, from the
+/// folded nodal masses [-].
+template <int Dim>
+CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt);
 
 /// Where a cell has S > 1 its pressure takes the share sqrt(1/S), and so will its volume rate: the pair stays adjoint.
 /// The share of each cell stands in Grid::volume_rate until cell_volume_rate. Parts of cells beside a sharp interface
@@ -32,9 +37,19 @@ void soften_light_cells(Grid<Dim>& grid, double dt);
 template <int Dim>
 void cell_volume_rate(Grid<Dim>& grid);
 
+/// What integrals of slopes from Grid::integrals are multiplied with: a face of a cell of the width h [m, m2].
+template <int Dim>
+double face_measure(const GridLayout<Dim>& layout) {
+  return Dim == 2 ? layout.h : layout.h * layout.h;
+}
+
 /// Nodes of a row of a block, in one structure of arrays.
 template <int Dim>
-using RowForce = std::array<std::array<double, GridLayout<Dim>::block_width[0]>, Dim>;
+using RowForce = std::array<CellRow<Dim>, Dim>;
+
+/// Sums over the rows around a row, with one node or cell more at both ends.
+template <int Dim>
+using WideRow = std::array<double, GridLayout<Dim>::block_width[0] + 2>;
 
 /// Force of the cell pressures on `count` nodes along x from flat index `begin`, stored coordinates `node` [N].
 template <int Dim>

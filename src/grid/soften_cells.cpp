@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "momentum.hpp"
 #include "neighbourhood.hpp"
@@ -22,76 +21,103 @@ namespace {
 /// them, so that 1 keeps them below 4. With 1/2 and 2 dam breaks ended alike.
 constexpr double most_swing = 1;
 
-/// Integrals over cells from tables, whose unit of length is h.
+/// Masses that count as none in S: of the nodes around a row of cells, along x and as a factor for each row of them.
 template <int Dim>
-double face_measure(const GridLayout<Dim>& layout) {
-  return Dim == 2 ? layout.h : layout.h * layout.h;
+WideRow<Dim> light_along(const Grid<Dim>& grid, int count, const std::array<int, Dim>& cell) {
+  WideRow<Dim> light{};
+  for (int k = 0; k < count + 2; ++k)
+    light[k] = grid.light_mass *
+               (grid.layout.graded() ? grid.layout.spline_width(0, cell[0] + k - 1 - GridLayout<Dim>::pad) : 1.0);
+  return light;
 }
 
-/// Of a node, for the force of cell pressures [kg]. None counts as little: round-off decides between the two. In pores
-/// the force n acts on the water and 1 - n on the soil.
 template <int Dim>
-double inertia(const Grid<Dim>& grid, int node, double light) {
-  const double mass = std::max(grid.sum[node][3], light);
-  if (grid.pore_share.empty()) return mass;
-  const double n = grid.pore_share[node];
-  return 1 / (n * n / mass + grid.grain_lightness[node]);
+double light_across(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, int y, int z) {
+  if (!layout.graded()) return 1;
+  const double width = layout.spline_width(1, cell[1] + y - 1 - GridLayout<Dim>::pad);
+  return Dim == 3 ? width * layout.spline_width(Dim - 1, cell[Dim - 1] + z - 1 - GridLayout<Dim>::pad) : width;
 }
 
-/// Whether a cell of an even grid could swing too wide: it cannot if it would not with all nodes as light as the
-/// lightest.
+double square(double x) { return x * x; }
+
+/// 1 / mass that the force of cell pressures moves at a node, from 1 / mass of the fluid: in pores the force n acts on
+/// the water and 1 - n on the grains [1/kg].
 template <int Dim>
-bool may_swing(const Grid<Dim>& grid, int flat, double stiffness) {
-  if (grid.layout.graded()) return true;
-  constexpr double most_square = 0.5 * Dim;  // of sum |int grad N|^2: 1/2 along an axis, at most 1 across
+double lightness(const Grid<Dim>& grid, int node, double of_fluid) {
+  if (grid.pore_share.empty()) return of_fluid;
+  return square(grid.pore_share[node]) * of_fluid + grid.grain_lightness[node];
+}
+
+/// Whether a cell of the row could have S > 1, if all nodes around the row that its pressure moves were as light as the
+/// lightest of them. Without graded cells, whose integrals have no bound so close, and without pores.
+template <int Dim>
+bool may_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
+  if (grid.layout.graded() || !grid.pore_share.empty()) return true;
+  const auto moved = [&](int axis, int at, int a) {
+    return grid.integrals[axis].slope[at][a] != 0 || grid.integrals[axis].value[at][a] != 0;
+  };
+  const int first = moved(0, cell[0], 0) ? -1 : 0, last = moved(0, cell[0] + count - 1, 2) ? count : count - 1;
   double lightest = std::numeric_limits<double>::infinity();
-  for_rows_around<Dim>(grid.layout, [&](int offset, int, int) {
-    for (int x = -1; x <= 1; ++x) lightest = std::min(lightest, inertia(grid, flat + offset + x, grid.light_mass));
+  for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
+    if (!moved(1, cell[1], y) || (Dim == 3 && !moved(Dim - 1, cell[Dim - 1], z))) return;
+    const Vec4* const sum = grid.sum.data() + begin + offset;
+    for (int k = first; k <= last; ++k) lightest = std::min(lightest, sum[k][3]);
   });
-  return stiffness * most_square > most_swing * grid.cell_volume[flat] * lightest;
-}
-
-/// |int grad N|^2 of the node at offset a - 1 from a cell, h = 1.
-template <int Dim>
-double square_of_slope(const Grid<Dim>& grid, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {
-  double square = 0;
-  for (int component = 0; component < Dim; ++component) {
-    double integral = 1;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto& table = grid.integrals[axis];
-      integral *= axis == component ? table.slope[cell[axis]][a[axis]] : table.value[cell[axis]][a[axis]];
-    }
-    square += integral * integral;
-  }
-  return square;
+  double least = std::numeric_limits<double>::infinity();  // of volumes
+  for (int flat = begin; flat < begin + count; ++flat)
+    if (grid.cell_flags[flat] & cell_filled) least = std::min(least, grid.cell_volume[flat]);
+  constexpr double most_square = 0.5 * Dim;  // of sum |int grad N|^2: 1/2 along an axis, at most 1 across
+  const double stiffness = grid.largest_modulus * square(dt * face_measure(grid.layout));
+  return stiffness * most_square > most_swing * least * std::max(lightest, grid.light_mass);
 }
 
 }  // namespace
 
 template <int Dim>
-double cell_swing(const Grid<Dim>& grid, const std::array<int, Dim>& cell, int flat, double dt) {
-  double sum = 0;
-  for_neighbourhood(grid.layout, flat, [&](int node, const std::array<int, Dim>& a) {
-    std::array<int, Dim> at = cell;
-    for (int axis = 0; axis < Dim; ++axis) at[axis] += a[axis] - 1;
-    sum += square_of_slope<Dim>(grid, cell, a) / inertia(grid, node, light_mass<Dim>(grid, at));
+CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
+  WideRow<Dim> along{},
+      across{};  // 1 / mass over y and z, to be multiplied with squares of slopes; the others, of values
+  const WideRow<Dim> light = light_along<Dim>(grid, count, cell);
+  const auto entry = [&](const auto& table, int axis, int a) { return square(table[cell[axis]][a]); };
+  for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
+    const Vec4* const sum = grid.sum.data() + begin + offset - 1;
+    const double value_y = entry(grid.integrals[1].value, 1, y), slope_y = entry(grid.integrals[1].slope, 1, y);
+    const double value_z = Dim == 3 ? entry(grid.integrals[Dim - 1].value, Dim - 1, z) : 1.0;
+    const double slope_z = Dim == 3 ? entry(grid.integrals[Dim - 1].slope, Dim - 1, z) : 0.0;
+    const double least = light_across<Dim>(grid.layout, cell, y, z);
+    const double with_slope = value_y * value_z, with_value = slope_y * value_z + value_y * slope_z;
+    for (int k = 0; k < count + 2; ++k) {
+      const double of_fluid = 1 / std::max(sum[k][3], light[k] * least);
+      const double inverse = lightness(grid, begin + offset - 1 + k, of_fluid);
+      along[k] += with_slope * inverse;
+      across[k] += with_value * inverse;
+    }
   });
-  const double volume = grid.cell_volume[flat];
-  const double modulus = grid.cell_modulus.empty() ? grid.largest_modulus : grid.cell_modulus[flat] / volume;
-  return modulus * std::pow(dt * face_measure(grid.layout), 2) * sum / volume;
+  const auto* const value = grid.integrals[0].value.data() + cell[0];
+  const auto* const slope = grid.integrals[0].slope.data() + cell[0];
+  const double scale = square(dt * face_measure(grid.layout));
+  CellRow<Dim> swing{};
+  for (int k = 0; k < count; ++k) {
+    for (int a = 0; a < 3; ++a) swing[k] += square(slope[k][a]) * along[k + a] + square(value[k][a]) * across[k + a];
+    const double volume = grid.cell_volume[begin + k];
+    const double modulus = grid.cell_modulus.empty() ? grid.largest_modulus : grid.cell_modulus[begin + k] / volume;
+    swing[k] *= modulus * scale / volume;
+  }
+  return swing;
 }
 
 template <int Dim>
 void soften_light_cells(Grid<Dim>& grid, double dt) {
-  const double stiffness = grid.largest_modulus * std::pow(dt * face_measure(grid.layout), 2);
   Array<double>& share = grid.volume_rate;  // free until the volume rate is computed
+  const auto acts = [&](int flat) { return (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0; };
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
-    for (int flat = begin; flat < begin + count; ++flat, ++cell[0]) {
-      share[flat] = 1;
-      const bool acts = (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0;
-      if (!acts || !may_swing(grid, flat, stiffness)) continue;
-      share[flat] = std::sqrt(std::min(1.0, most_swing / cell_swing<Dim>(grid, cell, flat, dt)));
-    }
+    std::fill_n(share.begin() + begin, count, 1.0);
+    while (count > 0 && !acts(begin + count - 1)) --count;
+    for (; count > 0 && !acts(begin); ++begin, ++cell[0]) --count;
+    if (count == 0 || !may_swing<Dim>(grid, begin, count, cell, dt)) return;
+    const CellRow<Dim> swing = cell_swing<Dim>(grid, begin, count, cell, dt);
+    for (int k = 0; k < count; ++k)
+      if (acts(begin + k) && swing[k] > most_swing) share[begin + k] = std::sqrt(most_swing / swing[k]);
   });
   for (const PartCell& part : grid.part_cells) share[part.flat] = 1;  // theirs has joined the nodal force
   for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>&) {
@@ -100,8 +126,8 @@ void soften_light_cells(Grid<Dim>& grid, double dt) {
   for_each_seam(grid.layout, [&](int axis) { copy_over_seam(grid.layout, axis, grid.cell_pressure); });
 }
 
-#define GEODROP_INSTANTIATE(D)                                                           \
-  template double cell_swing<D>(const Grid<D>&, const std::array<int, D>&, int, double); \
+#define GEODROP_INSTANTIATE(D)                                                                    \
+  template CellRow<D> cell_swing<D>(const Grid<D>&, int, int, const std::array<int, D>&, double); \
   template void soften_light_cells<D>(Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

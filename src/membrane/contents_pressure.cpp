@@ -38,7 +38,8 @@ std::array<double, 4> ContentsPressure::weights(const Place& at) const {
 }
 
 std::size_t ContentsPressure::corner(const Place& at, int which) const {
-  return static_cast<std::size_t>(at.node[0] + which % 2 + (at.node[1] + which / 2) * count_[0]);
+  const int x = at.node[0] + which % 2, y = at.node[1] + which / 2;
+  return static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * static_cast<std::size_t>(count_[0]);
 }
 
 void ContentsPressure::mark_box(const GridLayout<2>& layout, const Membrane<2>& membrane) {

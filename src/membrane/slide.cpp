@@ -8,17 +8,6 @@
 namespace geodrop {
 namespace {
 
-constexpr double converged = 1e-13;        ///< change of q in a sweep over the length of a node
-constexpr double most_of_a_segment = 0.9;  ///< of its rest length that may leave a segment in one step of a node
-
-/// Nodes that rest length passes: all of a closed line, all but the ends of an open one.
-struct Passable {
-  std::size_t first, end;
-};
-Passable passable(const Cloth& cloth) {
-  return cloth.closed ? Passable{0, cloth.nodes()} : Passable{1, cloth.segments()};
-}
-
 std::size_t segment_behind(const Cloth& cloth, std::size_t node) { return node == 0 ? cloth.segments() - 1 : node - 1; }
 std::size_t node_ahead(const Cloth& cloth, std::size_t segment) {
   return cloth.closed && segment + 1 == cloth.segments() ? 0 : segment + 1;
@@ -43,69 +32,71 @@ void Cloth::resize(std::size_t segments, bool as_closed) {
   closed = as_closed;
   length.resize(segments);
   rest.resize(segments);
+  tension.resize(segments);
   for (std::vector<double>* values : {&friction, &drag, &load, &passed}) values->assign(nodes(), 0.0);
 }
 
-double ClothSlide::tension(std::size_t s, double rest) const {
-  return std::max(0.0, cloth_->stiffness * (cloth_->length[s] / rest - 1));
+/// Whether rest length may pass: at all nodes but the ends of an open line.
+bool ClothSlide::passable(std::size_t k) const { return cloth_->closed || (k > 0 && k < cloth_->segments()); }
+
+/// What the cloth hands on at a node beyond friction, with its sign: z q.
+double ClothSlide::excess(std::size_t k, const std::vector<double>& tension) const {
+  const double pull = tension[k] - tension[segment_behind(*cloth_, k)] + cloth_->load[k];
+  const double beyond = std::abs(pull) - cloth_->friction[k];
+  return beyond > 0 ? std::copysign(beyond, pull) : 0.0;
 }
 
-double ClothSlide::slope(std::size_t s, double rest) const {
-  return cloth_->length[s] > rest ? cloth_->stiffness * cloth_->length[s] / (rest * rest) : 0.0;
-}
-
-double ClothSlide::energy(const std::vector<double>& passed) const {
+double ClothSlide::energy(const std::vector<double>& tension) const {
   const Cloth& cloth = *cloth_;
   double sum = 0;
-  for (std::size_t s = 0; s < cloth.segments(); ++s) {
-    const double rest = old_[s] + passed[s] - passed[node_ahead(cloth, s)], length = cloth.length[s];
-    if (rest <= (1 - most_of_a_segment) * std::min(cloth.rest[s], old_[s]))
-      return std::numeric_limits<double>::infinity();
-    if (rest < length) sum += cloth.stiffness * (rest - length + length * std::log(length / rest));
+  for (std::size_t s = 0; s < cloth.segments(); ++s)
+    sum += tension[s] * cloth.rest[s] - cloth.stiffness * cloth.length[s] * std::log1p(tension[s] / cloth.stiffness);
+  for (std::size_t k = 0; k < cloth.nodes(); ++k) {
+    if (!passable(k)) continue;
+    const double beyond = excess(k, tension);
+    sum += 0.5 * beyond * beyond / cloth.drag[k];
   }
-  for (std::size_t k = 0; k < cloth.nodes(); ++k)
-    sum += cloth.friction[k] * std::abs(passed[k]) + (0.5 * cloth.drag[k] * passed[k] - cloth.load[k]) * passed[k];
   return sum;
 }
 
-/// q of node k with all others held; the rest lengths beside it are those with q = 0.
-double ClothSlide::node_minimum(std::size_t k, std::size_t behind, double rest_ahead, double rest_behind) const {
-  constexpr int most_steps = 60;
-  const Cloth& cloth = *cloth_;
-  const double pull = tension(k, rest_ahead) - tension(behind, rest_behind) + cloth.load[k];
-  if (std::abs(pull) <= cloth.friction[k]) return 0;
-  const double force = cloth.load[k] + (pull > 0 ? -cloth.friction[k] : cloth.friction[k]);
-  double low = pull > 0 ? 0 : -most_of_a_segment * rest_ahead, high = pull > 0 ? most_of_a_segment * rest_behind : 0;
-  double now = std::clamp(cloth.passed[k], low, high);
-  const double close = 1e-14 * (rest_ahead + rest_behind);
-  for (int step = 0; step < most_steps && high - low > close; ++step) {
-    const double value =
-        tension(k, rest_ahead + now) - tension(behind, rest_behind - now) + force - cloth.drag[k] * now;
-    (value > 0 ? low : high) = now;
-    double next = now + value / (slope(k, rest_ahead + now) + slope(behind, rest_behind - now) + cloth.drag[k]);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double moved = std::abs(next - now);
-    now = next;
-    if (moved < close) break;
-  }
-  return now;
-}
-
-/// Node by node; returns the largest change of q over the length of a node.
-double ClothSlide::sweep(bool forwards) {
+/// q, and the gradient: rest length that a segment has less the one that its tension asks for. Returns the largest of
+/// segments that are taut or ought to be, over what counts as none: a share of the length, and what q loses by
+/// rounding.
+double ClothSlide::find_gradient(const std::vector<double>& tension) {
+  constexpr double converged = 1e-12, rounding = 4e-16;
   Cloth& cloth = *cloth_;
-  const auto [first, end] = passable(cloth);
+  for (std::size_t k = 0; k < cloth.nodes(); ++k)
+    cloth.passed[k] = passable(k) ? excess(k, tension) / cloth.drag[k] : 0.0;
   double largest = 0;
-  for (std::size_t i = first; i < end; ++i) {
-    const std::size_t k = forwards ? i : end - 1 - (i - first), behind = segment_behind(cloth, k);
-    const double rest_ahead = cloth.rest[k] - cloth.passed[k], rest_behind = cloth.rest[behind] + cloth.passed[k];
-    const double now = node_minimum(k, behind, rest_ahead, rest_behind);
-    largest = std::max(largest, std::abs(now - cloth.passed[k]) / (0.5 * (cloth.length[behind] + cloth.length[k])));
-    cloth.rest[k] = rest_ahead + now;
-    cloth.rest[behind] = rest_behind - now;
-    cloth.passed[k] = now;
+  for (std::size_t s = 0; s < cloth.segments(); ++s) {
+    const double asked = cloth.length[s] / (1 + tension[s] / cloth.stiffness);
+    gradient_[s] = (cloth.rest[s] - asked) + (cloth.passed[s] - cloth.passed[node_ahead(cloth, s)]);
+    if (slack(tension[s], gradient_[s])) continue;
+    const double least_drag = std::min(cloth.drag[s], cloth.drag[node_ahead(cloth, s)]);
+    largest =
+        std::max(largest, std::abs(gradient_[s]) / (converged * cloth.length[s] + rounding * tension[s] / least_drag));
   }
   return largest;
+}
+
+/// Newton's direction for the tensions of segments that do not stay slack replaces `right_`.
+void ClothSlide::find_direction(const std::vector<double>& tension) {
+  const Cloth& cloth = *cloth_;
+  const std::size_t n = cloth.segments();
+  const auto holds = [&](std::size_t k) { return cloth.passed[k] != 0 ? 1 / cloth.drag[k] : 0.0; };
+  const auto stays = [&](std::size_t s) { return slack(tension[s], gradient_[s]); };
+  for (std::size_t s = 0; s < n; ++s) {
+    const std::size_t behind = s == 0 ? n - 1 : s - 1, ahead = s + 1 == n ? 0 : s + 1;
+    lower_[s] = upper_[s] = right_[s] = 0;
+    diagonal_[s] = 1;
+    if (stays(s)) continue;
+    const double stretched = cloth.stiffness + tension[s], below = holds(s), above = holds(node_ahead(cloth, s));
+    diagonal_[s] = cloth.stiffness * cloth.length[s] / (stretched * stretched) + below + above;
+    right_[s] = -gradient_[s];
+    if (!stays(behind)) lower_[s] = -below;
+    if (!stays(ahead)) upper_[s] = -above;
+  }
+  solve_tridiagonal();
 }
 
 /// Thomas algorithm with the Sherman-Morrison formula for the two corners; the solution replaces `right_`.
@@ -135,56 +126,43 @@ void ClothSlide::solve_tridiagonal() {
   for (std::size_t k = 0; k < n; ++k) right_[k] -= share * corner_[k];
 }
 
-void ClothSlide::set_rest() {
-  Cloth& cloth = *cloth_;
-  for (std::size_t s = 0; s < cloth.segments(); ++s)
-    cloth.rest[s] = old_[s] + (cloth.passed[s] - cloth.passed[node_ahead(cloth, s)]);
-}
-
-/// One step for all nodes that slide; a node that would slide back comes to rest.
-void ClothSlide::newton() {
-  Cloth& cloth = *cloth_;
-  for (std::size_t k = 0; k < cloth.nodes(); ++k) {
-    lower_[k] = upper_[k] = right_[k] = 0;
-    diagonal_[k] = 1;
-    if (cloth.passed[k] == 0) continue;
-    const std::size_t behind = segment_behind(cloth, k);
-    const double ahead_slope = slope(k, cloth.rest[k]), behind_slope = slope(behind, cloth.rest[behind]);
-    if (ahead_slope + behind_slope + cloth.drag[k] == 0) continue;  // slack, and nothing holds it
-    diagonal_[k] = ahead_slope + behind_slope + cloth.drag[k];
-    lower_[k] = -behind_slope;
-    upper_[k] = -ahead_slope;
-    right_[k] = tension(k, cloth.rest[k]) - tension(behind, cloth.rest[behind]) + cloth.load[k] -
-                std::copysign(cloth.friction[k], cloth.passed[k]) - cloth.drag[k] * cloth.passed[k];
+/// Along the direction as far as the energy falls; the whole way if it still falls there, or the gradient is less than
+/// ever. Leaves q and the gradient there; returns its largest.
+double ClothSlide::advance(double least_gradient) {
+  const auto go = [&](double part) {
+    for (std::size_t s = 0; s < tension_.size(); ++s) trial_[s] = std::max(0.0, tension_[s] + part * right_[s]);
+  };
+  const auto falls = [&] {
+    double rate = 0;
+    for (std::size_t s = 0; s < tension_.size(); ++s) rate += gradient_[s] * (trial_[s] - tension_[s]);
+    return rate < 0;
+  };
+  go(1);
+  double now = find_gradient(trial_);
+  if (!(now < 0.9 * least_gradient) && !falls()) {
+    const double before = energy(tension_);
+    double part = 1;
+    for (; part > 1e-6 && !(energy(trial_) < before); go(part)) part /= 2;
+    if (part < 1) now = find_gradient(trial_);
   }
-  solve_tridiagonal();
-  const double before = energy(cloth.passed);
-  for (double part = 1; part > 0.05; part /= 2) {
-    for (std::size_t k = 0; k < cloth.nodes(); ++k) {
-      trial_[k] = cloth.passed[k] + part * right_[k];
-      if (trial_[k] * cloth.passed[k] < 0) trial_[k] = 0;
-    }
-    if (!(energy(trial_) < before)) continue;
-    cloth.passed = trial_;
-    set_rest();
-    return;
-  }
+  tension_.swap(trial_);
+  return now;
 }
 
 bool ClothSlide::solve(Cloth& cloth) {
   cloth_ = &cloth;
-  old_ = cloth.rest;
-  for (std::vector<double>* values : {&trial_, &lower_, &diagonal_, &upper_, &right_, &corner_, &factor_})
-    values->resize(cloth.nodes());
-  std::fill(cloth.passed.begin(), cloth.passed.end(), 0.0);
-  bool done = false;
-  for (int round = 0; round < most_rounds && !done; ++round) {
-    const double forth = sweep(true);
-    done = forth < converged || sweep(false) < converged;
-    if (!done) newton();
+  const std::size_t n = cloth.segments();
+  for (std::vector<double>* values : {&trial_, &gradient_, &lower_, &diagonal_, &upper_, &right_, &corner_, &factor_})
+    values->resize(n);
+  tension_ = cloth.tension;
+  double now = find_gradient(tension_), least = now;
+  for (int round = 0; round < most_rounds && now >= 1; ++round) {
+    find_direction(tension_);
+    now = advance(least);
+    least = std::min(least, now);
   }
-  set_rest();
-  return done;
+  for (std::size_t s = 0; s < n; ++s) cloth.rest[s] += cloth.passed[s] - cloth.passed[node_ahead(cloth, s)];
+  return now < 1;
 }
 
 void slide_freely(Cloth& cloth) {

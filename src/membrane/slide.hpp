@@ -19,9 +19,10 @@ struct Cloth {
   double stiffness = 0;          ///< J [N/m]
   std::vector<double> length;    ///< L, of segments now [m], > 0
   std::vector<double> friction;  ///< F, of nodes: most that is handed on to what is below [N/m], >= 0
-  std::vector<double> drag;      ///< z, of nodes [N/m2], >= 0
+  std::vector<double> drag;      ///< z, of nodes [N/m2], > 0
   std::vector<double> load;      ///< g, of nodes: along the line, forwards [N/m]
   std::vector<double> rest;      ///< r, of segments: before, and then after [m], > 0
+  std::vector<double> tension;   ///< of segments, at a step before: where the search begins [N/m], >= 0
   std::vector<double> passed;    ///< q, of nodes [m]: result
 
   std::size_t segments() const { return length.size(); }
@@ -30,31 +31,30 @@ struct Cloth {
   void resize(std::size_t segments, bool as_closed);
 };
 
-/// Finds the minimum; keeps its arrays from one step to the next.
-///
-/// Gauss-Seidel forwards and backwards, exact node by node, finds what sticks; one Newton step on all that slides
-/// (cyclic tridiagonal), taken as far as the energy falls, joins its long waves. A primal-dual active set instead
-/// cycles between stick and slip, taut and slack.
+/// Finds the minimum by its dual, a convex function of the tensions T >= 0,
+///   sum_s (T_s r_s^old - J L_s ln(1 + T_s/J)) + sum_k max(0, |T_k - T_(k-1) + g_k| - F_k)^2 / (2 z_k),
+/// whose gradient is what a segment has of rest length less what its tension asks for. Newton's method (Bertsekas 1982,
+/// for bounds) with a tridiagonal matrix, from the tensions of the step before: stick, slip and slack need no search.
+/// Keeps its arrays from one step to the next.
 class ClothSlide {
  public:
-  /// False if it has not converged within `most_rounds`; the energy has fallen all the same.
+  /// False if it has not converged within `most_rounds`. All z > 0.
   bool solve(Cloth& cloth);
 
-  /// Most steps take one or two; with 100 the mirror image of a bag differed from the bag by up to 3 %.
-  static constexpr int most_rounds = 3000;
+  static constexpr int most_rounds = 200;
 
  private:
-  double tension(std::size_t s, double rest) const;
-  double slope(std::size_t s, double rest) const;
-  double node_minimum(std::size_t k, std::size_t behind, double rest_ahead, double rest_behind) const;
-  double sweep(bool forwards);
-  double energy(const std::vector<double>& passed) const;
-  void newton();
+  static bool slack(double tension, double gradient) { return tension == 0 && gradient >= 0; }
+  bool passable(std::size_t k) const;
+  double excess(std::size_t k, const std::vector<double>& tension) const;
+  double energy(const std::vector<double>& tension) const;
+  double find_gradient(const std::vector<double>& tension);
+  void find_direction(const std::vector<double>& tension);
   void solve_tridiagonal();
-  void set_rest();
+  double advance(double least_gradient);
 
   Cloth* cloth_ = nullptr;
-  std::vector<double> old_, trial_;                                         // rest length before; a candidate for q
+  std::vector<double> tension_, trial_, gradient_;
   std::vector<double> lower_, diagonal_, upper_, right_, corner_, factor_;  // of Newton's system
 };
 

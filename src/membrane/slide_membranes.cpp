@@ -39,6 +39,7 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     cloth_.length[s] = std::max(least_length * membrane.rest_length[s], segment_length(membrane, s));
     cloth_.rest[s] = membrane.rest_length[s];
+    cloth_.tension[s] = membrane.tension[s];
     if (membrane.bed_shear.empty()) continue;
     const double half = 0.5 * membrane.bed_shear[s] * cloth_.length[s];
     cloth_.load[s] += half;
@@ -51,8 +52,8 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
     if (!(rough > 0)) continue;
     cloth_.load[k] += membrane.load[0][k] * tx + membrane.load[1][k] * ty;
     // What touches soil in cloth holds the cloth, too. Over a fluid that would leave slack stretches undetermined.
-    cloth_.friction[k] =
-        (membrane.contents_friction > 0 ? rough : 0.0) * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
+    if (membrane.contents_friction > 0)
+      cloth_.friction[k] = rough * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
   }
 }
 

@@ -40,6 +40,12 @@ Grid<Dim> full_grid(const Scene& scene) {
   return grid;
 }
 
+/// S of one cell.
+template <int Dim>
+double swing_of(const Grid<Dim>& grid, const std::array<int, Dim>& cell) {
+  return cell_swing<Dim>(grid, grid.layout.index(cell), 1, stored<Dim>(cell), dt)[0];
+}
+
 /// S of a cell from the forces that a pressure of 1 in it alone has on the nodes.
 template <int Dim>
 double swing_by_force(Grid<Dim> grid, int flat) {
@@ -65,7 +71,7 @@ void check_random_masses(const Scene& scene) {
     grid.cell_volume[flat] *= random.uniform(0.1, 1.5);
   });
   for_each_node(grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
-    CHECK(cell_swing<Dim>(grid, stored<Dim>(i), flat, dt) == near(swing_by_force(grid, flat), 1e-11));
+    CHECK(swing_of<Dim>(grid, i) == near(swing_by_force(grid, flat), 1e-11));
   });
 }
 
@@ -74,9 +80,9 @@ void check_random_masses(const Scene& scene) {
 TEST_CASE("A full cell has S = (c dt/h)^2 / 2 in the plane and 3/8 of it in space") {
   constexpr double h = 0.25, courant2 = modulus / density * dt * dt / (h * h);
   const Grid<2> plane = full_grid<2>(box_scene<2>(9, h, WallKind::slip));
-  CHECK(cell_swing<2>(plane, stored<2>({4, 5}), plane.layout.index({4, 5}), dt) == near(courant2 / 2, 1e-13));
+  CHECK(swing_of<2>(plane, {4, 5}) == near(courant2 / 2, 1e-13));
   const Grid<3> space = full_grid<3>(box_scene<3>(9, h, WallKind::slip));
-  CHECK(cell_swing<3>(space, stored<3>({4, 5, 3}), space.layout.index({4, 5, 3}), dt) == near(courant2 * 3 / 8, 1e-13));
+  CHECK(swing_of<3>(space, {4, 5, 3}) == near(courant2 * 3 / 8, 1e-13));
 }
 
 TEST_CASE("S is what the force of a pressure in the cell does to the nodes, small-mass nodes at their limit") {
@@ -96,9 +102,7 @@ TEST_CASE("Only cells with S above 1 lose pressure, down to sqrt(1/S), and their
     for (int n : {-1, 0, 1})
       for (int m : {-1, 0, 1}) grid.sum[grid.layout.index({3 + n, 3 + m})][3] *= 0.01;
     std::vector<double> swing(grid.layout.nodes());
-    for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
-      swing[flat] = cell_swing<2>(grid, stored<2>(i), flat, dt);
-    });
+    for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) { swing[flat] = swing_of<2>(grid, i); });
     CHECK(swing[light] > 4);
     soften_light_cells(grid, dt);
     int kept = 0;
@@ -116,10 +120,10 @@ TEST_CASE("Where bodies differ in rho c^2 a cell has the mean of its own") {
   Grid<2> grid = full_grid<2>(box_scene<2>(9, 0.25, WallKind::slip));
   const std::array<int, 2> cell{4, 4};
   const int flat = grid.layout.index(cell);
-  const double of_one = cell_swing<2>(grid, stored<2>(cell), flat, dt);
+  const double of_one = swing_of<2>(grid, cell);
   grid.cell_modulus.assign(grid.layout.nodes(), 0.0);
   grid.cell_modulus[flat] = 0.001 * modulus * grid.cell_volume[flat];
-  CHECK(cell_swing<2>(grid, stored<2>(cell), flat, dt) == near(0.001 * of_one, 1e-13));
+  CHECK(swing_of<2>(grid, cell) == near(0.001 * of_one, 1e-13));
 }
 
 TEST_CASE("Parts of cells beside a sharp interface keep their pressure, which has joined the force already") {

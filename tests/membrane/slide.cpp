@@ -24,6 +24,7 @@ Cloth unstrained(std::size_t segments, bool closed, double friction) {
   std::fill(cloth.length.begin(), cloth.length.end(), 0.1);
   std::fill(cloth.rest.begin(), cloth.rest.end(), 0.1);
   std::fill(cloth.friction.begin(), cloth.friction.end(), friction);
+  std::fill(cloth.drag.begin(), cloth.drag.end(), 0.02);  // next to none
   return cloth;
 }
 
@@ -168,7 +169,7 @@ TEST_CASE("Without friction, with loads: the minimum with a vanishing drag") {
       for (double& rest : cloth.rest) rest *= slack;
       std::fill(cloth.friction.begin(), cloth.friction.end(), 0.0);
       for (std::size_t k = 0; k < 20; ++k)  // a drag per length, as its even share of the loads asks for
-        cloth.drag[k] = 0.5 * (cloth.length[k] + cloth.length[k == 0 ? 19 : k - 1]);
+        cloth.drag[k] = 5 * (cloth.length[k] + cloth.length[k == 0 ? 19 : k - 1]);
       if (closed) {  // what turns the whole line would slide far
         const double mean = sum(cloth.load) / 20;
         for (double& load : cloth.load) load -= mean;

@@ -199,7 +199,7 @@ TEST_CASE("A cell of pore water swings with the water and the grains that its pr
   run.run_until("momentum");
   const auto swing = [&](int row) {
     constexpr int pad = GridLayout<2>::pad;
-    return cell_swing<2>(run.water(), {2 + pad, row + pad}, run.water().layout.index({2, row}), run.step.dt);
+    return cell_swing<2>(run.water(), run.water().layout.index({2, row}), 1, {2 + pad, row + pad}, run.step.dt)[0];
   };
   // A full cell of free water has S = (c dt / h)^2 / 2, of pore water K/n (n/rho_w + (1 - n)/rho_s) in the place of
   // c^2.

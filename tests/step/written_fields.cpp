@@ -1,5 +1,5 @@
 // What rows say that they write, against what changes when they run: in all scenes of tests/golden, which have every
-// feature in one of them. Debug builds look during every run (pipeline/write_check).
+// feature in one of them. Debug builds look during every run (step/write_check).
 #include <doctest/doctest.h>
 
 #include "step/write_check.hpp"

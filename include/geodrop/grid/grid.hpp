@@ -116,7 +116,7 @@ enum CellFlag : std::uint8_t {
 /// Integrals of 1, z, z^2 over the part of a face inside; z from -1/2 to 1/2 along it [its length].
 using FaceMoments = std::array<double, 3>;
 
-/// The cells that a closed polygon cuts (2D), see membrane/cut_cells. Local cells i + j nx of a box.
+/// The cells that a closed polygon cuts (2D), see cut/cut_cells. Local cells i + j nx of a box.
 struct CutCells {
   /// The part of an edge in a cell, from and to as shares of the edge.
   struct Piece {
@@ -132,7 +132,7 @@ struct CutCells {
   std::size_t size() const { return area.size(); }
 };
 
-/// The cells of a fluid inside a closed membrane (2D), see enclosed/.
+/// The cells of a fluid inside a closed membrane (2D), see cut/enclosed_fluid.
 struct EnclosedCells : CutCells {
   Array<int> host;         ///< cell whose pressure and rate a cell shares
   Array<double> volume;    ///< of particles, at hosts [m3]

@@ -199,7 +199,7 @@ struct EnergyBudget {
   double driven = 0;         ///< by the motion of rigid bodies, when it began
 };
 
-/// How often the pressures on sharp membranes were not found, see interface/interface_constraint. Counted anew after a
+/// How often the pressures on sharp membranes were not found, see cut/interface_constraint. Counted anew after a
 /// checkpoint; no result depends on it.
 struct ConstraintWatch {
   std::uint64_t unsolved = 0;  ///< steps so far in which the solver stopped short of its tolerance
