@@ -67,6 +67,11 @@ void check_pores(const Scene& scene, const BodySpec& body, const std::string& ke
                  "a body with pressure = \"cell\"");
     if (is_simplex(scene.grid.basis))
       report.add(key + ".saturated_by", "on a grid of simplices", "a coupled soil with another basis");
+    const bool bagged = std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+      return membrane.interface == Interface::sharp && (membrane.body == body.name || membrane.body == water.name);
+    });
+    if (bagged)  // cut cells know one body on each side
+      report.add(key + ".saturated_by", '"' + water.name + "\" in a sharp membrane", "a coupled soil without one");
     return;
   }
   report.add(
