@@ -30,7 +30,7 @@ const ShippedMaterial shipped_materials[] = {
     {"viscous", "newtonian_viscous", NewtonianSpec{1000, 3.6e6, 8.9e-4}},
     {"elastic", "linear_elastic", LinearElasticSpec{2000, 10e6, 0.33}},
     {"rubber", "neo_hookean", NeoHookeanSpec{2000, 10e6, 0.33}},
-    {"soil", "mohr_coulomb", MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, std::nullopt}},
+    {"soil", "mohr_coulomb", MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, {}}},
     {"undrained", "mohr_coulomb_undrained", MohrCoulombSpec{2000, 10e6, 0.33, 0, 30, 0, 0, UndrainedSpec{0.4, 80e6}}},
 };
 const ShippedMaterial& shipped(BenchMaterial material) { return shipped_materials[static_cast<std::size_t>(material)]; }

@@ -52,7 +52,8 @@ void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
   const double inv_measure = 1 / cell_measure(grid.layout);
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     for (int k = 0; k < count; ++k, ++cell[0])
-      fill[begin + k] = grid.cell_volume[begin + k] * inv_measure / cell_width_product<Dim>(grid, cell);
+      fill[begin + k] = (grid.cell_volume[begin + k] + (grid.occupied.empty() ? 0.0 : grid.occupied[begin + k])) *
+                        inv_measure / cell_width_product<Dim>(grid, cell);
     for (const Array<double>* share : {&grid.taken, &grid.rigid_cells})
       if (!share->empty())
         for (int k = begin; k < begin + count; ++k) fill[k] += (*share)[k];

@@ -176,6 +176,10 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
       return hash.add(grid.node_volume, grid.node_pressure, grid.node_rate);
     case Data::rigid_share:
       return hash.add(grid.rigid_cells, grid.rigid_splines);
+    case Data::pore_space:
+      hash.add(grid.grain_volume, grid.drag_resistance, grid.occupied, grid.pore_share, grid.grain_lightness,
+               grid.node_drag);
+      return add_array(grid.mixture_velocity, hash);
     default:
       return add_cells_of_bodies(item, grid, hash);
   }
@@ -222,7 +226,8 @@ constexpr std::string_view names[] = {"time",
                                       "nodal pressure",
                                       "enclosed cells",
                                       "cut cells",
-                                      "share of rigid bodies"};
+                                      "share of rigid bodies",
+                                      "pore space"};
 static_assert(std::size(names) == static_cast<std::size_t>(Data::count));
 
 }  // namespace

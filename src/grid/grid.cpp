@@ -162,12 +162,13 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
   const bool cells = shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
+  const bool pores = any_pores(scene);
   unsigned wanted = grid_role::for_all;
   const auto want = [&](unsigned role, bool needed) { wanted |= needed ? role : 0; };
   // Contacts and membranes push on the outermost nodes, which carry little: their impulses have to go to their
   // neighbourhood.
   want(grid_role::for_light, change || !scene.contacts.empty() || !scene.membranes.empty() ||
-                                 has_sharp_interface(scene) || (Dim == 3 && shift));
+                                 has_sharp_interface(scene) || pores || (Dim == 3 && shift));
   want(grid_role::for_change, change);
   want(grid_role::for_consistent, consistent);
   want(grid_role::for_cells, cells);
@@ -175,6 +176,8 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   want(grid_role::for_nodal, any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }));
   want(grid_role::for_sharp, has_sharp_interface(scene));
   want(grid_role::for_rigid, shift && any_contact_of(scene, ContactPair::Kind::body_on_rigid));
+  want(grid_role::for_pores, any_body([](const BodySpec& b) { return !b.saturated_by.empty(); }));
+  want(grid_role::for_pore_water, any_body([&](const BodySpec& b) { return saturates(scene, b.name); }));
   for_each_field<any_role>(grid, [&]<class T>(const auto& entry, Array<T>& values) {
     if (entry.roles & wanted) values.assign(n, T{});
   });

@@ -11,6 +11,10 @@ namespace geodrop {
 template <int Dim>
 double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node);
 
+/// Integral of a node's spline over the domain [m3], nodes by their stored coordinates.
+template <int Dim>
+double node_measure(const Grid<Dim>& grid, const std::array<int, Dim>& node);
+
 /// Folds what particles scattered beyond the walls onto the mirror nodes: normal component with sign -1, tangential
 /// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums. Of walls
 /// only the active blocks are visited.

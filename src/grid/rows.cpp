@@ -17,10 +17,19 @@ Row<Dim> sort_particles_row(const Scene&) {
                                    Data::mass | Data::volume_ratio | Data::stress | Data::material_state;
   constexpr DataSet of_sleeping_blocks = Data::nodal_sums | Data::nodal_force | Data::nodal_velocity |
                                          Data::velocity_change | Data::cell_volume | Data::cell_pressure |
-                                         Data::volume_rate | Data::cell_flags | Data::nodal_pressure;
+                                         Data::volume_rate | Data::cell_flags | Data::nodal_pressure | Data::pore_space;
   return {"sort_particles", Data::largest_motion | Data::membrane_position | Data::viscous_boundaries | Data::position,
           of_particles | of_sleeping_blocks | Data::largest_motion | Data::active_blocks, true,
           [](State<Dim>& s, Grids<Dim>& f, const StepContext&) { sort_particles_if_due(s, f); }};
+}
+
+template <int Dim>
+Row<Dim> fold_walls_row(const Scene&) {
+  return {"fold_walls",
+          {},
+          Data::nodal_sums | Data::nodal_force,
+          true,
+          each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) { fold_walls(g); })};
 }
 
 template <int Dim>
@@ -29,12 +38,10 @@ Row<Dim> momentum_row(const Scene& scene) {
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
   return {"momentum",
           Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_flags | Data::cell_pressure |
-              Data::rigid_share,
-          Data::nodal_sums | Data::nodal_force | Data::cell_pressure | Data::volume_rate | Data::nodal_velocity |
-              Data::velocity_change,
-          true, each_field<Dim>([gravity](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
-            fold_walls(g);
-            if (g.largest_modulus > 0) soften_light_cells(g, step.dt);
+              Data::rigid_share | Data::pore_space,
+          Data::cell_pressure | Data::volume_rate | Data::nodal_velocity | Data::velocity_change, true,
+          each_field<Dim>([gravity](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
+            if (g.largest_modulus > 0 && g.pore_share.empty()) soften_light_cells(g, step.dt);
             update_momentum<Dim>(g, gravity, step.dt);
           })};
 }
@@ -52,12 +59,13 @@ Row<Dim> volume_rate_row(const Scene& scene) {
   return {"volume_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::volume_rate,
           Data::volume_rate, any_body_with(scene, PressureSupport::cell),
           each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) {
-            if (g.largest_modulus > 0) cell_volume_rate(g);
+            if (g.largest_modulus > 0 && g.pore_share.empty()) cell_volume_rate(g);
           })};
 }
 
 #define GEODROP_INSTANTIATE(D)                          \
   template Row<D> sort_particles_row<D>(const Scene&);  \
+  template Row<D> fold_walls_row<D>(const Scene&);      \
   template Row<D> momentum_row<D>(const Scene&);        \
   template Row<D> mass_correction_row<D>(const Scene&); \
   template Row<D> volume_rate_row<D>(const Scene&);

@@ -8,6 +8,8 @@ namespace geodrop {
 template <int Dim>
 Row<Dim> sort_particles_row(const Scene& scene);
 template <int Dim>
+Row<Dim> fold_walls_row(const Scene& scene);
+template <int Dim>
 Row<Dim> momentum_row(const Scene& scene);
 template <int Dim>
 Row<Dim> mass_correction_row(const Scene& scene);

@@ -40,11 +40,19 @@ double light_across(const GridLayout<Dim>& layout, const std::array<int, Dim>& c
 
 double square(double x) { return x * x; }
 
+/// 1 / mass that the force of cell pressures moves at a node, from 1 / mass of the fluid: in pores the force n acts on
+/// the water and 1 - n on the grains [1/kg].
+template <int Dim>
+double lightness(const Grid<Dim>& grid, int node, double of_fluid) {
+  if (grid.pore_share.empty()) return of_fluid;
+  return square(grid.pore_share[node]) * of_fluid + grid.grain_lightness[node];
+}
+
 /// Whether a cell of the row could have S > 1, if all nodes around the row that its pressure moves were as light as the
-/// lightest of them. Without graded cells: their integrals have no bound so close.
+/// lightest of them. Without graded cells, whose integrals have no bound so close, and without pores.
 template <int Dim>
 bool may_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
-  if (grid.layout.graded()) return true;
+  if (grid.layout.graded() || !grid.pore_share.empty()) return true;
   const auto moved = [&](int axis, int at, int a) {
     return grid.integrals[axis].slope[at][a] != 0 || grid.integrals[axis].value[at][a] != 0;
   };
@@ -79,7 +87,8 @@ CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::
     const double least = light_across<Dim>(grid.layout, cell, y, z);
     const double with_slope = value_y * value_z, with_value = slope_y * value_z + value_y * slope_z;
     for (int k = 0; k < count + 2; ++k) {
-      const double inverse = 1 / std::max(sum[k][3], light[k] * least);
+      const double of_fluid = 1 / std::max(sum[k][3], light[k] * least);
+      const double inverse = lightness(grid, begin + offset - 1 + k, of_fluid);
       along[k] += with_slope * inverse;
       across[k] += with_value * inverse;
     }

@@ -183,9 +183,27 @@ void clear_block(Grid<Dim>& grid, std::uint32_t block) {
   });
 }
 
+/// A line that leaves the domain has no blocks to mark.
+template <int Dim>
+void require_inside(const State<Dim>& state, const std::string& name, const std::array<Array<double>, Dim>& x,
+                    const GridLayout<Dim>& layout) {
+  for (int a = 0; a < Dim; ++a)
+    for (const double at : x[a]) {
+      if (at >= layout.particle_lower[a] && at <= layout.particle_upper[a]) continue;
+      std::ostringstream text;
+      text << "a node of '" << name << "' left the domain or is not finite at t = " << state.t << " s, step "
+           << state.step << "; a smaller solver.courant often helps, see the last frame";
+      throw RunError(text.str());
+    }
+}
+
 template <int Dim>
 void renew_active_blocks(const State<Dim>& state, Grid<Dim>& grid) {
   std::vector<std::uint8_t> marks(grid.layout.block_count(), 0);
+  for (const Membrane<Dim>& membrane : state.membranes)
+    require_inside<Dim>(state, membrane.name, membrane.x, grid.layout);
+  for (const ViscousBoundary<Dim>& boundary : state.viscous_boundaries)
+    require_inside<Dim>(state, boundary.name, boundary.x, grid.layout);
   for (const Body<Dim>& body : state.bodies)
     if (body.field == grid.field) mark_blocks<Dim>(body.x, grid.layout, marks);
   for (const Membrane<Dim>& membrane : state.membranes)

@@ -137,7 +137,8 @@ inline MohrCoulomb make(const MohrCoulombSpec& spec) {
   // The return relies on t <= c cot(phi); a value typed in with a few digits may lie just above.
   soil.tension_cutoff = soil.sin_phi > 0 ? std::min(spec.tension_cutoff, soil.cohesion * soil.cos_phi / soil.sin_phi)
                                          : spec.tension_cutoff;
-  soil.pore_stiffness = spec.undrained ? spec.undrained->fluid_bulk_modulus / spec.undrained->porosity : 0.0;
+  const UndrainedSpec* const pores = spec.undrained();
+  soil.pore_stiffness = pores ? pores->fluid_bulk_modulus / pores->porosity : 0.0;
   return soil;
 }
 

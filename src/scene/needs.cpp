@@ -38,6 +38,16 @@ bool any_membrane_load(const Scene& scene) {
          any_body_with(scene, PressureSupport::enclosed);
 }
 
+bool any_pores(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const BodySpec& body) { return !body.saturated_by.empty(); });
+}
+
+bool saturates(const Scene& scene, const std::string& body) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const BodySpec& soil) { return soil.saturated_by == body; });
+}
+
 double contents_friction(const Scene& scene, const MembraneSpec& membrane) {
   constexpr double share_of_angle = 2.0 / 3;  // of soil on geotextile, as is usual in design
   if (membrane.contents_friction >= 0) return membrane.contents_friction;

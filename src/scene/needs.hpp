@@ -16,6 +16,11 @@ bool any_model_drag(const Scene& scene);
 /// Something loads membrane nodes directly, not through the grid.
 bool any_membrane_load(const Scene& scene);
 
+/// A coupled soil, whose pore water is a body of its own.
+bool any_pores(const Scene& scene);
+/// Whether this body is the water in the pores of another.
+bool saturates(const Scene& scene, const std::string& body);
+
 /// mu between a membrane and its body, given or as the material of the body says; infinite: glued [-].
 double contents_friction(const Scene& scene, const MembraneSpec& membrane);
 /// It has a tension, and is not glued to its body.

@@ -32,6 +32,9 @@ std::vector<int> velocity_fields(const Scene& scene) {
   int next = std::all_of(scene.bodies.begin(), scene.bodies.end(), part) ? 0 : 1;
   for (std::size_t b = 0; b < field.size(); ++b)
     if (part(scene.bodies[b])) field[b] = next++;
+  // Soils through whose pores water flows touch each other in one field, beside that of the water.
+  for (std::size_t b = 0; b < field.size(); ++b)
+    if (!scene.bodies[b].saturated_by.empty() && !part(scene.bodies[b])) field[b] = next;
   return field;
 }
 

@@ -216,6 +216,24 @@ void enclose_fluids(const Scene& scene, State<Dim>& state) {
   }
 }
 
+/// Of the water in the place of a coupled soil only the share of the pores is there.
+template <int Dim>
+void fill_pores(const Scene& scene, State<Dim>& state) {
+  for (const BodySpec& spec : scene.bodies) {
+    if (spec.saturated_by.empty()) continue;
+    const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model);
+    Body<Dim>& water = find_named(state.bodies, spec.saturated_by);
+    const auto inside = [](const BodySpec& body, const Point& x) { return contains(body.shape, x); };
+    for (std::size_t p = 0; p < water.size(); ++p) {
+      Point x(Dim);
+      for (int a = 0; a < Dim; ++a) x[a] = water.x[a][p];
+      const bool cut = std::any_of(spec.minus.begin(), spec.minus.end(),
+                                   [&](const std::string& name) { return inside(*find_body(scene, name), x); });
+      if (inside(spec, x) && !cut) water.mass[p] *= soil.coupled()->porosity;
+    }
+  }
+}
+
 void add_contacts(const Scene& scene, State<2>& state) {
   for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_rigid_body(spec, scene.grid));
   for (const ContactSpec& spec : scene.contacts) {
@@ -260,6 +278,7 @@ State<Dim> build_state(const Scene& scene) {
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   allocate_loads(state, [](const Membrane<Dim>& membrane) { return membrane.drag_coefficient > 0; });
   enclose_fluids(scene, state);
+  fill_pores(scene, state);
   if constexpr (Dim == 2) add_boundaries(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);

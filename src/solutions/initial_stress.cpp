@@ -27,6 +27,9 @@ StressAt stress_at(const Scene& scene, const InitialStress& initial, double dens
     out.fluid_pressure = still_fluid_pressure(scene, *still, y);
   } else if (const auto* bag = std::get_if<FluidPressureSpec>(&initial)) {
     out.fluid_pressure = still_fluid_pressure(scene, bag->fluid, y);
+    out.vertical = out.horizontal = -bag->effective_pressure;
+  } else if (const auto* uniform = std::get_if<UniformPressureSpec>(&initial)) {
+    out.vertical = out.horizontal = -uniform->pressure;
   } else if (const auto* soil = std::get_if<K0StressSpec>(&initial)) {
     const double g = -scene.gravity[scene.dimension - 1], depth = std::max(0.0, soil->surface - y);
     double buoyancy = 0;
@@ -52,13 +55,14 @@ void set_fluid(const Newtonian& water, const StressAt& at, Body<Dim>& body, std:
   body.mass[p] = water.density * volume / body.J[p];
 }
 
-/// Solids carry the fluid's pressure in the pores (undrained) or, drained or dry, as isotropic stress of the skeleton.
+/// Solids carry the fluid's pressure in the pores (undrained), not at all (coupled: the fluid itself does) or, drained
+/// or dry, as isotropic stress of the skeleton.
 template <int Dim>
-void set_solid(double density, const StressAt& at, Body<Dim>& body, std::size_t p) {
+void set_solid(double density, const StressAt& at, Body<Dim>& body, std::size_t p, bool coupled = false) {
   body.mass[p] = density * body.J[p];
   body.J[p] = 1;
   const bool pores = !body.pore_pressure.empty();
-  const double carried = pores ? 0.0 : at.fluid_pressure;
+  const double carried = pores || coupled ? 0.0 : at.fluid_pressure;
   for (int c = 0; c < 3; ++c) body.stress[c][p] = at.horizontal - carried;
   body.stress[Dim - 1][p] = at.vertical - carried;
   if (pores) body.pore_pressure[p] = at.fluid_pressure;
@@ -97,6 +101,14 @@ void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
   }
 }
 
+/// Mass of the water in the pores of a coupled soil per volume of soil [kg/m3]; else 0.
+double water_in_pores(const Scene& scene, const BodySpec& spec) {
+  const BodySpec* water = find_body(scene, spec.saturated_by);
+  if (!water) return 0;
+  const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model);
+  return soil.coupled()->porosity * fluid_of(scene, water->material).density;
+}
+
 }  // namespace
 
 double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
@@ -106,7 +118,8 @@ double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, do
 }
 
 TotalStress initial_total_stress(const Scene& scene, const BodySpec& spec, double y) {
-  const double density = reference_density(make_material(*find_material(scene, spec.material)));
+  const double density =
+      reference_density(make_material(*find_material(scene, spec.material))) + water_in_pores(scene, spec);
   const StressAt at = stress_at(scene, spec.initial_stress, density, y);
   return {at.vertical - at.fluid_pressure, at.horizontal - at.fluid_pressure};
 }
@@ -124,13 +137,14 @@ template <int Dim>
 void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
   if (std::holds_alternative<FromExactSpec>(spec.initial_stress))
     return set_exact_stress(exact_solution<Dim>(scene, spec.name), body);
-  const double density = reference_density(body.material);
+  const double density = reference_density(body.material), pore_water = water_in_pores(scene, spec);
   for (std::size_t p = 0; p < body.size(); ++p) {
-    const StressAt at = stress_at(scene, spec.initial_stress, density, body.x[Dim - 1][p]);
+    StressAt at = stress_at(scene, spec.initial_stress, density + pore_water, body.x[Dim - 1][p]);
+    if (std::holds_alternative<Newtonian>(body.material)) at.fluid_pressure -= at.vertical;
     if (const auto* water = std::get_if<Newtonian>(&body.material))
       set_fluid(*water, at, body, p);
     else
-      set_solid(density, at, body, p);
+      set_solid(density, at, body, p, pore_water > 0);
   }
 }
 

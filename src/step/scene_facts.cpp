@@ -3,6 +3,7 @@
 #include <geodrop/step/pipeline.hpp>
 #include <geodrop/step/run.hpp>
 
+#include "pores/pores.hpp"
 #include "setup/memory_estimate.hpp"
 #include "solutions/initial_stress.hpp"
 #include "stable_dt.hpp"
@@ -43,6 +44,12 @@ std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state) {
       facts.push_back({body.name + ".density_rise_ratio", density_rise(body)});
     const MohrCoulomb* soil = soil_law(body.material);
     if (soil && soil->pore_stiffness > 0) facts.push_back({body.name + ".skempton_b_ratio", skempton_b(*soil)});
+  }
+  for (const PoreSoil& soil : pore_soils(scene)) {
+    const Consolidation drains = consolidation(scene, soil);
+    const std::string& name = scene.bodies[soil.body].name;
+    facts.push_back({name + ".consolidation_coefficient_m2_s", drains.coefficient});
+    facts.push_back({name + ".time_factor_ratio", drains.time_factor});
   }
   const GridLayout<Dim> layout(scene.grid, scene.walls);
   const double particles = static_cast<double>(state.particles()), dt = stable_dt(scene, state, layout);

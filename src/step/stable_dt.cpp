@@ -10,6 +10,7 @@
 #include "contact/surface_contact.hpp"
 #include "materials/neo_hookean.hpp"
 #include "materials/strain.hpp"
+#include "pores/pores.hpp"
 
 namespace geodrop {
 namespace {
@@ -116,12 +117,15 @@ template <int Dim>
 
 }  // namespace
 
+StepLimits::StepLimits(const Scene& scene)
+    : courant(scene.solver.courant), end(scene.time.end), pore_wave_speed(geodrop::pore_wave_speed(scene)) {}
+
 /// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h), waves in body and membrane in one sum (safe);
 /// viscosity: C times h^2 / (2 d nu), the limit of an explicit step (safe); h is the finest cell's.
 template <int Dim>
 double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLayout<Dim>& layout) {
   if (!std::isfinite(state.v_max)) throw_not_finite(state);
-  double c2 = 0, membrane2 = 0, nu = 0;
+  double c2 = std::pow(limits.pore_wave_speed, 2), membrane2 = 0, nu = 0;
   for (const Body<Dim>& body : state.bodies) {
     c2 = std::max(c2, wave_speed_squared(body));
     nu = std::max(nu, viscosity_in(body));

@@ -8,10 +8,11 @@
 namespace geodrop {
 
 struct StepLimits {
-  double courant;  ///< [-]
-  double end;      ///< of the simulated time [s]
+  double courant;          ///< [-]
+  double end;              ///< of the simulated time [s]
+  double pore_wave_speed;  ///< of coupled soils [m/s]
 
-  explicit StepLimits(const Scene& scene) : courant(scene.solver.courant), end(scene.time.end) {}
+  explicit StepLimits(const Scene& scene);
 };
 
 /// Stable time step [s] of the present state; throws RunError if it collapses.

@@ -9,6 +9,7 @@
 #include "cut/rows.hpp"
 #include "grid/rows.hpp"
 #include "membrane/rows.hpp"
+#include "pores/rows.hpp"
 #include "rows.hpp"
 #include "solutions/rows.hpp"
 #include "transfer/rows.hpp"
@@ -17,6 +18,7 @@
 namespace geodrop {
 namespace {
 
+// clang-format off
 template <int Dim>
 const std::vector<RowMaker<Dim>> rows_of_a_step = {
     stable_dt_row<Dim>,
@@ -26,6 +28,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     clear_grid_row<Dim>,
     cut_cells_row,
     rigid_share_row,
+    pore_space_row<Dim>,
     cell_pressure_row<Dim>,
     interface_pressure_row,
     even_out_volumes_row,
@@ -44,13 +47,17 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     membranes_to_grid_row<Dim>,
     boundaries_to_grid_row,
     interface_force_row,
+    fold_walls_row<Dim>,
+    pore_pressure_row<Dim>,
     momentum_row<Dim>,
     mass_correction_row<Dim>,
+    pore_drag_row<Dim>,
     join_interfaces_row,
     fill_other_sides_row,
     out_of_balance_row<Dim>,
     remap_velocity_row<Dim>,
     volume_rate_row<Dim>,
+    pore_rate_row<Dim>,
     interface_rate_row,
     nodal_rate_row<Dim>,
     enclosed_rate_row,
@@ -67,6 +74,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     kinetic_damping_row<Dim>,
     energy_watch_row<Dim>,
 };
+// clang-format on
 
 }  // namespace
 

@@ -11,7 +11,8 @@ template <int Dim>
 Row<Dim> clear_grid_row(const Scene&) {
   return {"clear_grid",
           {},
-          Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_pressure | Data::nodal_pressure,
+          Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_pressure | Data::nodal_pressure |
+              Data::pore_space,
           true,
           each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) { clear_grid(g); })};
 }
@@ -20,7 +21,8 @@ template <int Dim>
 Row<Dim> cell_pressure_row(const Scene& scene) {
   const bool shift = any_body_shifts(scene);
   return {"cell_pressure",
-          Data::position | Data::mass | Data::volume_ratio | Data::stress | Data::material_state | Data::rigid_share,
+          Data::position | Data::mass | Data::volume_ratio | Data::stress | Data::material_state | Data::rigid_share |
+              Data::pore_space,
           Data::cell_volume | Data::cell_pressure | Data::cell_flags | Data::volume_rate,
           shift || any_body_with(scene, PressureSupport::cell),
           each_field<Dim>([shift](const State<Dim>& s, Grid<Dim>& g, const StepContext&) {

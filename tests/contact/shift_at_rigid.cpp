@@ -100,7 +100,7 @@ TEST_CASE("A uniform pressure of particles and the contact that bears it leave n
   RigidContact<2>& contact = it.state.rigid_contacts[0];
   contact.stiffness = pressure / depth;
   for (double& width : contact.half_width) width = 0.125 / 4;
-  it.run_until("momentum");
+  it.run_until("fold_walls");
   const double scale = pressure * it.grid.layout.h;
   for (int i = 2; i <= 7; ++i) {
     CAPTURE(i);

@@ -73,6 +73,11 @@ TEST_CASE("On graded axes: stopped by --until and resumed on other threads, the 
   check_resumed(scene, graded, "0.021");
 }
 
+TEST_CASE("Water in the pores of a soil, pumped: stopped and resumed, the same hash and history") {
+  check_resumed("cases/verification/quick_condition.toml",
+                {"bodies.soil.jitter=0.3", "output.history_interval=0.005", "time.end=0.05"}, "0.021");
+}
+
 TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: stopped and resumed, the same") {
   // Stopped while the pump runs, springs of friction are stretched and a cycle of the relaxation is under way.
   check_resumed("tests/scenes/tube.toml", {"grid.spacing=0.2", "time.end=1.0"}, "0.031");

@@ -91,6 +91,13 @@ TEST_CASE("Shifting water in space: one hash for 1, 2, 3 and 5 threads") {
   check_threads("cases/hydrostatic_column_3d.toml", {"time.end=0.1"});
 }
 
+TEST_CASE("Water in the pores of a soil, pumped: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("cases/verification/quick_condition.toml",
+                {"grid.upper.0=1.6", "bodies.base.shape.upper.0=1.6", "bodies.soil.shape.upper.0=1.6",
+                 "bodies.feed.shape.upper.0=1.6", "bodies.pore_water.shape.upper.0=1.6",
+                 "bodies.free_water.shape.upper.0=1.6", "bodies.soil.jitter=0.3", "time.end=0.02"});
+}
+
 TEST_CASE("Graded axes: one hash for 1, 2, 3 and 5 threads") {
   check_threads("cases/dump_kekerdom_mixture.toml",
                 {"grid.spacing=0.5", "time.end=0.05",

@@ -43,7 +43,7 @@ TEST_CASE("Pore water stiffens an undrained soil") {
   const Material drained = material(spec);
   CHECK(wave_speed(drained) == near(std::sqrt(12e6 / 2000), 1e-12));
   CHECK(skempton_b(std::get<MohrCoulomb>(drained)) == 0);
-  spec.undrained = UndrainedSpec{0.4, 80e6};
+  spec.pores = UndrainedSpec{0.4, 80e6};
   const Material undrained = material(spec);
   CHECK(std::get<MohrCoulomb>(undrained).pore_stiffness == near(200e6, 1e-12));
   CHECK(wave_speed(undrained) == near(std::sqrt(212e6 / 2000), 1e-12));

@@ -33,7 +33,7 @@ TEST_CASE("the last of several wins; an empty value removes; a table can be made
   CHECK(read_scene(every_key, {"time.end=3", "time.end=4"}).time.end == 4);
   CHECK(read_scene(every_key,
                    {"materials.sand.density=9007199254740993", "materials.sand.youngs_modulus=9007199254740993"})
-            .materials.size() == 8);  // 2^53 + 1: no double, yet a number
+            .materials.size() == 9);  // 2^53 + 1: no double, yet a number
   CHECK(read_scene(every_key, {"solver.transfer=tpic", "solver.blend_rate="}).solver.transfer == Transfer::tpic);
   const Scene moving =
       read_scene(every_key, {"bodies.bag.initial_velocity.type=uniform", "bodies.bag.initial_velocity.value=[0, -2]"});
@@ -53,8 +53,8 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
                    "\"basis\", \"refine\"; the nearest is \"spacing\""},
            Mistake{"gird.spacing=1", ": --set: gird: found an unknown key"},
            Mistake{"materials.wter.viscosity=1", ": --set: materials.wter.viscosity: found \"wter\""},
-           Mistake{"bodies.bog.jitter=0", "the nearest is \"bag\"; or an index from 0 to 8"},
-           Mistake{"bodies.9.jitter=0", ": --set: bodies.9.jitter: found \"9\""},
+           Mistake{"bodies.bog.jitter=0", "the nearest is \"bag\"; or an index from 0 to 10"},
+           Mistake{"bodies.11.jitter=0", ": --set: bodies.11.jitter: found \"11\""},
            Mistake{"expect.last_m_s.tolerance=1", "found \"last_m_s\", the name of 2; allowed: an index from 0 to 1"},
            Mistake{"grid.spacing.x=1", "found grid.spacing, which is a single value"},
            Mistake{"gravity.2=1", ": --set: gravity.2: found \"2\"; allowed: an index from 0 to 1"},

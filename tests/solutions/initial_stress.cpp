@@ -12,7 +12,7 @@ using namespace geodrop::test;
 namespace {
 
 /// 13 m of water over 2 m of subsoil as in the reference table (g = 9.81, gamma_soil = 20 kN/m3, K0 = 0.5).
-Scene dump_scene(double bulk_modulus, std::optional<UndrainedSpec> undrained) {
+Scene dump_scene(double bulk_modulus, decltype(MohrCoulombSpec::pores) pores) {
   Scene scene;
   scene.grid.lower = {0, -2};
   scene.grid.upper = {2, 14};
@@ -22,7 +22,7 @@ Scene dump_scene(double bulk_modulus, std::optional<UndrainedSpec> undrained) {
   scene.gravity = {0, -9.81};
   scene.time.end = 1;
   scene.materials = {{"water", NewtonianSpec{1000, bulk_modulus, 0}, {}},
-                     {"soil", MohrCoulombSpec{20000 / 9.81, 1e7, 1.0 / 3, 0, 30, 0, 0, undrained}, {}}};
+                     {"soil", MohrCoulombSpec{20000 / 9.81, 1e7, 1.0 / 3, 0, 30, 0, 0, pores}, {}}};
   BodySpec water, bed;
   water.name = "water";
   water.material = "water";
@@ -109,15 +109,17 @@ TEST_CASE("Particles of the still fluid have its pressure, and together the mass
 }
 
 TEST_CASE("A bag at the fluid's pressure: isotropic, in the skeleton if drained, in the pores if not") {
-  for (const bool undrained : {false, true}) {
-    Scene scene = dump_scene(3.6e6, undrained ? std::optional(UndrainedSpec{0.4, 2e9}) : std::nullopt);
-    scene.bodies[1].initial_stress = FluidPressureSpec{{"water", 13}};
+  for (const auto& [undrained, effective] : {std::pair{false, 0.0}, {true, 0.0}, {true, 4000.0}}) {
+    Scene scene =
+        dump_scene(3.6e6, undrained ? decltype(MohrCoulombSpec::pores)(UndrainedSpec{0.4, 2e9}) : std::monostate{});
+    scene.bodies[1].initial_stress = FluidPressureSpec{{"water", 13}, effective};
     const Body<2> bag = build_state<2>(scene).bodies[1];
     for (std::size_t p = 0; p < bag.size(); ++p) {
       const double expected = still_fluid_pressure(scene, {"water", 13}, bag.x[1][p]);
-      for (int c = 0; c < 3; ++c) CHECK(bag.stress[c][p] == within(undrained ? 0 : -expected, 1e-12 * expected));
+      for (int c = 0; c < 3; ++c)
+        CHECK(bag.stress[c][p] == within(-effective - (undrained ? 0 : expected), 1e-12 * expected));
       CHECK(bag.stress[3][p] == 0);
-      CHECK(mean_pressure(bag, p) == near(expected, 1e-12));
+      CHECK(mean_pressure(bag, p) == near(expected + effective, 1e-12));
       CHECK(bag.mass[p] == near(20000 / 9.81 * 0.25, 1e-12));
     }
   }

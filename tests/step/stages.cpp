@@ -18,10 +18,10 @@ Names stages(const std::string& scene_file, const std::vector<std::string>& over
   return names;
 }
 
-const Names elastic = {"sort_particles", "clear_grid",        "particles_to_grid",
+const Names elastic = {"sort_particles", "clear_grid",        "particles_to_grid", "fold_walls",
                        "momentum",       "grid_to_particles", "grid_to_tracers"};
-const Names water = {"sort_particles", "clear_grid",  "cell_pressure",    "particles_to_grid",
-                     "momentum",       "volume_rate", "grid_to_particles"};
+const Names water = {"sort_particles", "clear_grid", "cell_pressure", "particles_to_grid",
+                     "fold_walls",     "momentum",   "volume_rate",   "grid_to_particles"};
 
 }  // namespace
 
@@ -38,34 +38,36 @@ TEST_CASE("A sharp interface adds its stages") {
   CHECK(stages("cases/ellipse_release.toml") ==
         Names{"even_out_nodes", "sort_particles", "clear_grid", "cut_cells", "cell_pressure", "interface_pressure",
               "even_out_volumes", "particles_to_grid", "slide_membranes", "membranes_to_grid", "interface_force",
-              "momentum", "join_interfaces", "volume_rate", "interface_rate", "grid_to_particles", "grid_to_membranes",
-              "keep_sides"});
+              "fold_walls", "momentum", "join_interfaces", "volume_rate", "interface_rate", "grid_to_particles",
+              "grid_to_membranes", "keep_sides"});
 }
 
 TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
-  CHECK(stages("cases/dump_kekerdom_mixture.toml") == Names{"sort_particles", "clear_grid", "cell_pressure",
-                                                            "particles_to_grid", "membranes_to_grid", "momentum",
-                                                            "volume_rate", "grid_to_particles", "grid_to_membranes"});
+  CHECK(stages("cases/dump_kekerdom_mixture.toml") ==
+        Names{"sort_particles", "clear_grid", "cell_pressure", "particles_to_grid", "membranes_to_grid", "fold_walls",
+              "momentum", "volume_rate", "grid_to_particles", "grid_to_membranes"});
 }
 
 TEST_CASE("A body force is a stage of its own, for manufactured solutions only") {
-  CHECK(stages("cases/verification/mms_axis_aligned.toml") ==
-        Names{"sort_particles", "clear_grid", "particles_to_grid", "body_force", "momentum", "grid_to_particles"});
+  CHECK(stages("cases/verification/mms_axis_aligned.toml") == Names{"sort_particles", "clear_grid", "particles_to_grid",
+                                                                    "body_force", "fold_walls", "momentum",
+                                                                    "grid_to_particles"});
   CHECK(stages("cases/verification/taylor_green.toml") == water);
 }
 
 TEST_CASE("The consistent mass matrix is a stage after the momentum; MUSL gives velocity back after both") {
   const std::vector<std::string> consistent{"solver.mass_matrix=consistent"};
   CHECK(stages("cases/verification/ring_tension.toml", consistent) ==
-        Names{"sort_particles", "clear_grid", "particles_to_grid", "momentum", "mass_correction", "grid_to_particles"});
+        Names{"sort_particles", "clear_grid", "particles_to_grid", "fold_walls", "momentum", "mass_correction",
+              "grid_to_particles"});
   CHECK(stages("cases/gravity_column.toml", {"solver.mass_matrix=consistent", "solver.transfer=musl"}) ==
-        Names{"sort_particles", "clear_grid", "particles_to_grid", "momentum", "mass_correction", "remap_velocity",
-              "grid_to_particles", "grid_to_tracers"});
+        Names{"sort_particles", "clear_grid", "particles_to_grid", "fold_walls", "momentum", "mass_correction",
+              "remap_velocity", "grid_to_particles", "grid_to_tracers"});
 }
 
 TEST_CASE("A viscous boundary is a stage before the momentum and one after the particles have moved") {
   CHECK(stages("cases/verification/viscous_boundary.toml") ==
-        Names{"sort_particles", "clear_grid", "particles_to_grid", "boundaries_to_grid", "momentum",
+        Names{"sort_particles", "clear_grid", "particles_to_grid", "boundaries_to_grid", "fold_walls", "momentum",
               "grid_to_particles", "grid_to_boundaries", "grid_to_tracers"});
 }
 
@@ -74,14 +76,15 @@ TEST_CASE("Cell pressure is a choice of the body") {
   CHECK(std::count(with_cells.begin(), with_cells.end(), "cell_pressure") == 1);
   CHECK(std::count(with_cells.begin(), with_cells.end(), "volume_rate") == 1);
   CHECK(stages("cases/hydrostatic_column.toml", {"bodies.water.pressure=particle", "bodies.water.shift=false"}) ==
-        Names{"sort_particles", "clear_grid", "particles_to_grid", "momentum", "grid_to_particles"});
+        Names{"sort_particles", "clear_grid", "particles_to_grid", "fold_walls", "momentum", "grid_to_particles"});
 }
 
 TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two criteria of rest") {
   CHECK(stages("cases/geotube_556.toml", {"bodies.fluid.pressure=enclosed"}) ==
         Names{"even_out_nodes", "sort_particles", "clear_grid", "enclosed_cells", "particles_to_grid", "enclosed_force",
-              "clear_loads", "membrane_contact", "slide_membranes", "enclosed_load", "membranes_to_grid", "momentum",
-              "out_of_balance", "enclosed_rate", "grid_to_particles", "grid_to_membranes", "kinetic_damping"});
+              "clear_loads", "membrane_contact", "slide_membranes", "enclosed_load", "membranes_to_grid", "fold_walls",
+              "momentum", "out_of_balance", "enclosed_rate", "grid_to_particles", "grid_to_membranes",
+              "kinetic_damping"});
   const Names pumped = stages("tests/scenes/tube.toml");
   CHECK(std::count(pumped.begin(), pumped.end(), "pumps") == 1);
   CHECK(std::count(pumped.begin(), pumped.end(), "kinetic_damping") == 1);
@@ -97,7 +100,7 @@ TEST_CASE("A geotube at rest: cut cells in place of whole ones, contact, and two
 TEST_CASE("Rigid contact: loads for membranes, a stage for bare particles, one for what moves") {
   CHECK(stages("tests/scenes/ramp.toml") == Names{"sort_particles", "clear_grid", "particles_to_grid", "clear_loads",
                                                   "membrane_contact", "particle_contact", "membranes_to_grid",
-                                                  "momentum", "grid_to_particles", "grid_to_membranes",
+                                                  "fold_walls", "momentum", "grid_to_particles", "grid_to_membranes",
                                                   "move_rigid_bodies"});
   const Names still = stages("tests/scenes/ramp.toml",
                              {"rigid.gate.motion={type='none'}", "rigid.ram.motion={type='none'}",
@@ -107,8 +110,8 @@ TEST_CASE("Rigid contact: loads for membranes, a stage for bare particles, one f
 }
 
 TEST_CASE("Bodies that part from each other add loads on their skins; stages in time begin the step") {
-  Names names{"sort_particles",    "clear_grid", "particles_to_grid", "clear_loads",      "membrane_contact",
-              "membranes_to_grid", "momentum",   "grid_to_particles", "grid_to_membranes"};
+  Names names{"sort_particles",    "clear_grid", "particles_to_grid", "clear_loads",       "membrane_contact",
+              "membranes_to_grid", "fold_walls", "momentum",          "grid_to_particles", "grid_to_membranes"};
   CHECK(stages("tests/scenes/block_on_slab.toml") == names);
   names.insert(names.begin(), "scene_stages");
   CHECK(stages("tests/scenes/block_on_slab.toml", {"stages=[{name='all',from=0.0}]"}) == names);

@@ -56,6 +56,7 @@ enum class Data : std::uint8_t {
   enclosed_cells,
   cut_cells,
   rigid_share,
+  pore_space,
   count
 };
 

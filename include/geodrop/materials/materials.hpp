@@ -99,17 +99,29 @@ struct UndrainedSpec {
   std::optional<double> saturation = {};
   bool operator==(const UndrainedSpec&) const = default;
 };
+/// Soil whose pore water is a body of its own: both move, see src/pores.
+struct CoupledSpec {
+  double porosity = 0;                ///< n0 at the start [-]
+  double hydraulic_conductivity = 0;  ///< k0 at that porosity [m/s]
+  enum class Permeability { kozeny_carman, constant } permeability = Permeability::kozeny_carman;
+  bool operator==(const CoupledSpec&) const = default;
+};
 /// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
 struct MohrCoulombSpec {
-  double density = 0;                      ///< of the mixture [kg/m3]; the scene may give that of the grains instead
-  double youngs_modulus = 0;               ///< [Pa]
-  double poissons_ratio = 0;               ///< [-]
-  double cohesion = 0;                     ///< [Pa]
-  double friction_angle_deg = 0;           ///< [degree]
-  double dilatancy_angle_deg = 0;          ///< [degree]
-  double tension_cutoff = 0;               ///< largest principal effective stress [Pa], at most c cot(phi)
-  std::optional<UndrainedSpec> undrained;  ///< empty: drained
-  bool void_memory = false;                ///< what opens at the cut-off closes again without stress
+  double density =
+      0;  ///< of the mixture [kg/m3], coupled: without the water; the scene may give that of the grains instead
+  double youngs_modulus = 0;       ///< [Pa]
+  double poissons_ratio = 0;       ///< [-]
+  double cohesion = 0;             ///< [Pa]
+  double friction_angle_deg = 0;   ///< [degree]
+  double dilatancy_angle_deg = 0;  ///< [degree]
+  double tension_cutoff = 0;       ///< largest principal effective stress [Pa], at most c cot(phi)
+  std::variant<std::monostate, UndrainedSpec, CoupledSpec> pores;  ///< none: drained
+  bool void_memory = false;  ///< what opens at the cut-off closes again without stress
+
+  /// Null if the soil is of another kind.
+  const UndrainedSpec* undrained() const { return std::get_if<UndrainedSpec>(&pores); }
+  const CoupledSpec* coupled() const { return std::get_if<CoupledSpec>(&pores); }
   bool operator==(const MohrCoulombSpec&) const = default;
 };
 /// Elastic, perfectly plastic Mohr-Coulomb with a non-associated flow rule and a tension cut-off.

@@ -20,6 +20,7 @@ struct BodySpec {
   std::string material;
   Shape shape;
   std::vector<std::string> minus;   ///< bodies whose shapes are cut out of this one
+  std::string saturated_by;         ///< body of a fluid that fills the pores of a coupled soil; empty: none
   int particles_per_cell_axis = 2;  ///< particles per cell and axis [-]
   double jitter = 0;                ///< random offset, fraction of the particle spacing [-]
   std::uint64_t jitter_seed = 0;

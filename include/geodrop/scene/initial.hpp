@@ -28,17 +28,24 @@ struct K0StressSpec {
   std::optional<HydrostaticSpec> fluid;  ///< gives overburden and pore pressure
   bool operator==(const K0StressSpec&) const = default;
 };
-/// Isotropic total stress equal to the pressure of the still fluid (a drained bag: effective stress -p I; undrained:
-/// pore pressure p).
+/// Isotropic total stress equal to the pressure p of the still fluid (a drained bag: effective stress -p I; undrained:
+/// pore pressure p), and an isotropic effective stress beside it.
 struct FluidPressureSpec {
   HydrostaticSpec fluid;
+  double effective_pressure = 0;  ///< [Pa]
   bool operator==(const FluidPressureSpec&) const = default;
+};
+/// The same pressure everywhere: of a fluid; in a solid effective stress -p I.
+struct UniformPressureSpec {
+  double pressure = 0;  ///< compression positive [Pa]
+  bool operator==(const UniformPressureSpec&) const = default;
 };
 /// Velocity or stress of the exact solution that the body follows, see ExactSpec.
 struct FromExactSpec {
   bool operator==(const FromExactSpec&) const = default;
 };
-using InitialStress = std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec, FromExactSpec>;
+using InitialStress =
+    std::variant<ZeroStressSpec, HydrostaticSpec, K0StressSpec, FluidPressureSpec, FromExactSpec, UniformPressureSpec>;
 
 /// The same velocity everywhere (also what `type = "rest"` becomes).
 struct UniformVelocitySpec {

@@ -52,6 +52,35 @@ void check_shift(const Scene& scene, const BodySpec& body, const std::string& ke
     report.add(key + ".shift", "true on a grid of simplices", "false, unless the basis is bspline2, gimp or linear");
 }
 
+/// A coupled soil has a body of water in its pores, and nothing else has.
+void check_pores(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  if (!material || !report.healthy("materials." + material->name)) return;
+  const auto* soil = std::get_if<MohrCoulombSpec>(&material->model);
+  const bool coupled = soil && soil->coupled();
+  if (coupled == !body.saturated_by.empty()) {
+    if (!coupled) return;
+    if (!check_reference(key + ".saturated_by", body.saturated_by, names_of(scene.bodies), "bodies", report)) return;
+    const BodySpec& water = *find_body(scene, body.saturated_by);
+    if (check_fluid(scene, key + ".saturated_by", water.material, report) && water.pressure != PressureSupport::cell)
+      report.add(key + ".saturated_by", '"' + water.name + "\", whose pressure is not that of cells",
+                 "a body with pressure = \"cell\"");
+    if (is_simplex(scene.grid.basis))
+      report.add(key + ".saturated_by", "on a grid of simplices", "a coupled soil with another basis");
+    const bool bagged = std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+      return membrane.interface == Interface::sharp && (membrane.body == body.name || membrane.body == water.name);
+    });
+    if (bagged)  // cut cells know one body on each side
+      report.add(key + ".saturated_by", '"' + water.name + "\" in a sharp membrane", "a coupled soil without one");
+    return;
+  }
+  report.add(
+      key + ".saturated_by",
+      coupled ? "nothing, for the coupled soil \"" + body.material + '"'
+              : '"' + body.saturated_by + "\" for a body of \"" + body.material + '"',
+      coupled ? "the body of the water in its pores" : "nothing, unless the material has drainage = \"coupled\"");
+}
+
 bool is_neo_hookean(const Scene& scene, const BodySpec& body, const Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
   return material && report.healthy("materials." + material->name + ".model") &&
@@ -128,6 +157,7 @@ void check_bodies(const Scene& scene, Report& report) {
     check_reference(key + ".material", scene.bodies[i].material, names_of(scene.materials), "materials", report);
     check_minus(scene, scene.bodies[i], key, report);
     check_shift(scene, scene.bodies[i], key, report);
+    check_pores(scene, scene.bodies[i], key, report);
     check_pressure(scene, scene.bodies[i], key, report);
     check_velocity(scene, scene.bodies[i], key + ".initial_velocity", report);
     if (report.healthy(key) && report.healthy("materials") && report.healthy("membranes"))

@@ -131,7 +131,9 @@ class PlacementCheck {
       if (!check_inside(i) || !check_not_empty(i) || !check_particles(i)) continue;
       for (std::size_t j = 0; j < i; ++j) {
         // One that is cut out of the other shares no point with it, however finely one looks.
-        if (is_ready(j) && !cuts(i, j) && !cuts(j, i) && !comes_later(i) && !comes_later(j)) check_overlap(i, j);
+        if (is_ready(j) && !cuts(i, j) && !cuts(j, i) && !comes_later(i) && !comes_later(j) && !fills_pores(i, j) &&
+            !fills_pores(j, i))
+          check_overlap(i, j);
       }
     }
   }
@@ -156,6 +158,9 @@ class PlacementCheck {
     return std::any_of(body(i).minus.begin(), body(i).minus.end(),
                        [&](const std::string& name) { return find_body(scene_, name) == &body(j); });
   }
+
+  /// Body i is the water in the pores of body j.
+  bool fills_pores(std::size_t i, std::size_t j) const { return body(j).saturated_by == body(i).name; }
 
   /// The part of a body that is looked at: its box within the domain.
   Bounds inside(std::size_t i) const { return common(bounds_within(body(i).shape, domain_), domain_); }

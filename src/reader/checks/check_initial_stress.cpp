@@ -69,9 +69,35 @@ void check_still_fluid(const BodyView& view) {
   }
 }
 
+/// The stress of a coupled soil is effective stress; that from K0 is less by the buoyancy of the water in its pores.
+void check_pore_pressure(const BodyView& view) {
+  const MaterialSpec* material = view.material();
+  const auto* soil = material ? std::get_if<MohrCoulombSpec>(&material->model) : nullptr;
+  const BodySpec* water = find_body(view.scene, view.body.saturated_by);
+  if (!soil || !soil->coupled() || !water || !view.report.healthy(view.stress())) return;
+  if (std::holds_alternative<FluidPressureSpec>(view.body.initial_stress))
+    view.report.add(view.stress() + ".type", "\"fluid_pressure\" for the coupled soil \"" + material->name + '"',
+                    "\"zero\", \"k0\" or \"uniform\": the pressure of the water is that of \"" + water->name + '"');
+  const auto* k0 = std::get_if<K0StressSpec>(&view.body.initial_stress);
+  const auto* still = std::get_if<HydrostaticSpec>(&water->initial_stress);
+  if (!k0 || !view.report.healthy("bodies." + water->name)) return;
+  if (!k0->fluid && still)
+    view.report.add(view.stress() + ".under",
+                    "\"air\" with the hydrostatic pressure of \"" + water->name + "\" in the pores",
+                    "\"fluid\" with fluid_surface = " + to_text(still->surface));
+  if (k0->fluid && (!still || still->fluid != k0->fluid->fluid || still->surface != k0->fluid->surface))
+    view.report.add(
+        view.stress() + ".fluid_surface",
+        to_text(k0->fluid->surface) + " of \"" + k0->fluid->fluid + "\", with " +
+            (still ? "the level " + to_text(still->surface) + " of \"" + still->fluid + "\"" : "another pressure") +
+            " in the pores",
+        "the fluid and level of the initial_stress of \"" + water->name + "\", a hydrostatic one");
+}
+
 void check_gravity(const BodyView& view) {
   if (std::holds_alternative<ZeroStressSpec>(view.body.initial_stress) ||
-      std::holds_alternative<FromExactSpec>(view.body.initial_stress) || !view.report.healthy("gravity") ||
+      std::holds_alternative<FromExactSpec>(view.body.initial_stress) ||
+      std::holds_alternative<UniformPressureSpec>(view.body.initial_stress) || !view.report.healthy("gravity") ||
       !view.report.healthy(view.stress()))
     return;
   const Point& gravity = view.scene.gravity;
@@ -97,9 +123,12 @@ FootStress foot_stress(const BodyView& view, const K0StressSpec& k0, const MohrC
   const double g = -view.scene.gravity.back();
   const double depth = std::max(0.0, k0.surface - box.lower.back());
   const MaterialSpec* fluid = k0.fluid ? find_material(view.scene, k0.fluid->fluid) : nullptr;
-  if (!fluid) return {soil.density * g * depth, 0};
+  const BodySpec* water = find_body(view.scene, view.body.saturated_by);
+  const MaterialSpec* in_pores = water && soil.coupled() ? find_material(view.scene, water->material) : nullptr;
+  const double mixture = soil.density + (in_pores ? soil.coupled()->porosity * density(*in_pores) : 0.0);
+  if (!fluid) return {mixture * g * depth, 0};
   const double pressure = density(*fluid) * g * (std::max(0.0, k0.fluid->surface - k0.surface) + depth);
-  return {(soil.density - density(*fluid)) * g * depth, soil.undrained ? 0 : pressure};
+  return {(mixture - density(*fluid)) * g * depth, soil.undrained() || soil.coupled() ? 0 : pressure};
 }
 
 /// Strength and stress grow in proportion to depth, cohesion does not: the foot of the body yields first.
@@ -138,6 +167,7 @@ void check_initial_stress(const Scene& scene, Report& report) {
     check_type(view);
     check_gravity(view);
     check_still_fluid(view);
+    check_pore_pressure(view);
     check_yield(view);
   }
 }

@@ -60,19 +60,20 @@ void check_units(const MaterialSpec& material, const std::string& key, Report& r
 }
 
 void check_pore_fluid(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
-  if (!soil.undrained || soil.undrained->saturation) return;
+  const UndrainedSpec* const pores = soil.undrained();
+  if (!pores || pores->saturation) return;
   for (const char* name : {".porosity", ".fluid_bulk_modulus", ".youngs_modulus", ".poissons_ratio"}) {
     if (!report.healthy(key + name)) return;
   }
   const double skeleton = soil.youngs_modulus / (3 * (1 - 2 * soil.poissons_ratio));
-  const double least = kLeastPoreStiffness * skeleton * soil.undrained->porosity;
-  if (soil.undrained->fluid_bulk_modulus >= least * (1 - kRounding)) return;
-  const double stiffness = soil.undrained->fluid_bulk_modulus / soil.undrained->porosity;
-  report.add(key + ".fluid_bulk_modulus",
-             to_text(soil.undrained->fluid_bulk_modulus) +
-                 " (Skempton's B = " + to_text(stiffness / (stiffness + skeleton)) + ")",
-             "at least " + to_text(least) +
-                 " [Pa], so that K_f / n is 20 times the bulk modulus of the skeleton and B at least 0.95");
+  const double least = kLeastPoreStiffness * skeleton * pores->porosity;
+  if (pores->fluid_bulk_modulus >= least * (1 - kRounding)) return;
+  const double stiffness = pores->fluid_bulk_modulus / pores->porosity;
+  report.add(
+      key + ".fluid_bulk_modulus",
+      to_text(pores->fluid_bulk_modulus) + " (Skempton's B = " + to_text(stiffness / (stiffness + skeleton)) + ")",
+      "at least " + to_text(least) +
+          " [Pa], so that K_f / n is 20 times the bulk modulus of the skeleton and B at least 0.95");
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ SectionOf<BodySpec> bodies_section() {
       key("material", &BodySpec::material, required, reference, "a name in materials"),
       key.table("shape", &BodySpec::shape, shape_section(), required, "where the body is at the start"),
       key("minus", &BodySpec::minus, standard("[]"), reference, "bodies whose shapes are cut out of this one"),
+      key("saturated_by", &BodySpec::saturated_by, standard("\"\""), free_text, "the body of a fluid that fills the pores of this one, of a coupled soil; its shape covers this body's, without minus; \"\": none"),
       key("particles_per_cell_axis", &BodySpec::particles_per_cell_axis, "", standard("2"), per_axis, "particles per cell along each axis"),
       key("jitter", &BodySpec::jitter, "", standard("0.0"), half, "random offset of the particles, as a fraction of their spacing"),
       key("jitter_seed", &BodySpec::jitter_seed, "", standard("0"), not_negative, "seed of the random offsets"),

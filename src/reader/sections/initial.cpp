@@ -30,8 +30,10 @@ SectionOf<InitialStress> initial_stress_section() {
   return {
       "initial_stress of a body", "",
       "An inline table; `type` says which keys it has.", {
-      key("type", itself<InitialStress>, {{"zero", ZeroStressSpec{}}, {"hydrostatic", HydrostaticSpec{}}, {"k0", K0StressSpec{}}, {"fluid_pressure", FluidPressureSpec{}}, {"exact", FromExactSpec{}}}, required, "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around, in drained soil as effective stress; exact: of the solution that the body follows"),
+      key("type", itself<InitialStress>, {{"zero", ZeroStressSpec{}}, {"hydrostatic", HydrostaticSpec{}}, {"k0", K0StressSpec{}}, {"fluid_pressure", FluidPressureSpec{}}, {"uniform", UniformPressureSpec{}}, {"exact", FromExactSpec{}}}, required, "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around, in drained soil as effective stress; uniform: the same pressure everywhere, in a solid as effective stress; exact: of the solution that the body follows"),
+      key("pressure", &UniformPressureSpec::pressure, "Pa", required, any, "compression positive").only("type=uniform"),
       key("fluid", Either(&HydrostaticSpec::fluid, [](FluidPressureSpec& around, const std::string& name) { around.fluid.fluid = name; }), required, reference, "the newtonian material of the still fluid").only("type=hydrostatic|fluid_pressure"),
+      key("effective_pressure", &FluidPressureSpec::effective_pressure, "Pa", standard("0.0"), not_negative, "p' of the skeleton beside the pressure of the fluid, the same everywhere: what cloth under tension gives a soil inside").only("type=fluid_pressure"),
       key("surface", Either(&HydrostaticSpec::surface, [](FluidPressureSpec& around, double level) { around.fluid.surface = level; }), "m", required, any, "level of the fluid's free surface").only("type=hydrostatic|fluid_pressure"),
       key("surface", &K0StressSpec::surface, "m", required, any, "level of the soil's surface").only("type=k0"),
       key("k0", &K0StressSpec::k0, "", required, not_negative, "horizontal over vertical effective stress").only("type=k0"),

@@ -15,12 +15,13 @@ void derive_mixture(MaterialSpec& material, const toml::table& written) {
   auto* soil = std::get_if<MohrCoulombSpec>(&material.model);
   if (!soil) return;
   const auto value = [&](const char* name) { return written.contains(name) ? to_number(*written.get(name)) : 0.0; };
-  if (written.contains("grain_density"))
+  if (written.contains("grain_density"))  // without a saturation, of a coupled soil, the skeleton alone
     soil->density =
         mixture_density({value("grain_density"), value("porosity"), value("saturation"), value("fluid_density")});
-  if (!soil->undrained || !written.contains("saturation")) return;
-  soil->undrained->saturation = value("saturation");
-  soil->undrained->fluid_bulk_modulus =
+  auto* undrained = std::get_if<UndrainedSpec>(&soil->pores);
+  if (!undrained || !written.contains("saturation")) return;
+  undrained->saturation = value("saturation");
+  undrained->fluid_bulk_modulus =
       pore_fluid_bulk_modulus({value("saturation"), value("water_bulk_modulus"), value("gas_pressure")});
 }
 
@@ -34,8 +35,8 @@ SectionOf<MaterialSpec> materials_section() {
       "One table for each material; NAME is what bodies refer to.", {
       key("model", &MaterialSpec::model, {{"newtonian", NewtonianSpec{}}, {"linear_elastic", LinearElasticSpec{}}, {"mohr_coulomb", MohrCoulombSpec{}}, {"neo_hookean", NeoHookeanSpec{}}}, required, "constitutive law"),
       key("density", Either(&NewtonianSpec::density, &LinearElasticSpec::density, &NeoHookeanSpec::density), "kg/m3", required, positive, "of a fluid: at zero pressure; neo_hookean: unstrained").only("model=newtonian|linear_elastic|neo_hookean"),
-      key("density", &MohrCoulombSpec::density, "kg/m3", instead_of("grain_density"), positive, "of the mixture of grains and what fills the pores, at the start").only("model=mohr_coulomb"),
-      key.given("grain_density", "kg/m3", instead_of("density"), positive, "rho_s of the grains: the mixture has (1 - n) rho_s + n S rho_f").only("model=mohr_coulomb"),
+      key("density", &MohrCoulombSpec::density, "kg/m3", instead_of("grain_density"), positive, "of the mixture of grains and what fills the pores, at the start; coupled: of the skeleton alone, (1 - n) rho_s").only("model=mohr_coulomb"),
+      key.given("grain_density", "kg/m3", instead_of("density"), positive, "rho_s of the grains: the mixture has (1 - n) rho_s + n S rho_f, a coupled skeleton (1 - n) rho_s").only("model=mohr_coulomb"),
       key("bulk_modulus", &NewtonianSpec::bulk_modulus, "Pa", instead_of("sound_speed"), positive, "K in p = K (rho / rho0 - 1)").only("model=newtonian"),
       key("sound_speed", [](NewtonianSpec& fluid, double c) { fluid.bulk_modulus = fluid.density * c * c; }, "m/s", instead_of("bulk_modulus"), positive, "c, gives K = rho0 c^2; may be reduced where its error is known").only("model=newtonian"),
       key("viscosity", &NewtonianSpec::viscosity, "Pa s", required, not_negative, "dynamic viscosity").only("model=newtonian"),
@@ -48,13 +49,16 @@ SectionOf<MaterialSpec> materials_section() {
       key("dilatancy_angle_deg", &MohrCoulombSpec::dilatancy_angle_deg, "degree", required, angle, "psi, at most phi").only("model=mohr_coulomb"),
       key("tension_cutoff", &MohrCoulombSpec::tension_cutoff, "Pa", required, not_negative, "largest principal effective stress, at most c cot(phi)").only("model=mohr_coulomb"),
       key("void_memory", &MohrCoulombSpec::void_memory, standard("false"), "the volume by which the soil opens at the apex or the tension cut-off is kept, and closes again without stress; to be used where soil is torn apart and falls together again (any bag that falls and lands), or it grows; with dilatancy_angle_deg = 0 only").only("model=mohr_coulomb"),
-      key("drainage", &MohrCoulombSpec::undrained, {{"drained", std::nullopt}, {"undrained", UndrainedSpec{}}}, required, "undrained: pore water moves with the skeleton; drained: there is none, so that under water the pressure of the water is part of the effective stress (`geodrop check` names such bodies and says by how much)").only("model=mohr_coulomb"),
-      key("porosity", [](MohrCoulombSpec& soil, double n) { soil.undrained->porosity = n; }, "", required, fraction, "n").only("drainage=undrained"),
+      key("drainage", &MohrCoulombSpec::pores, {{"drained", std::monostate{}}, {"undrained", UndrainedSpec{}}, {"coupled", CoupledSpec{}}}, required, "undrained: pore water moves with the skeleton; drained: there is none, so that under water the pressure of the water is part of the effective stress (`geodrop check` names such bodies and says by how much); coupled: pore water is a body of a fluid that flows through the skeleton (`saturated_by` of the body)").only("model=mohr_coulomb"),
+      key("porosity", [](MohrCoulombSpec& soil, double n) { std::get<UndrainedSpec>(soil.pores).porosity = n; }, "", required, fraction, "n").only("drainage=undrained"),
+      key("porosity", [](MohrCoulombSpec& soil, double n) { std::get<CoupledSpec>(soil.pores).porosity = n; }, "", required, fraction, "n at the start; 1 - n = (1 - n0) / J goes with the skeleton").only("drainage=coupled"),
+      key("hydraulic_conductivity", [](MohrCoulombSpec& soil, double k) { std::get<CoupledSpec>(soil.pores).hydraulic_conductivity = k; }, "m/s", required, positive, "k of Darcy's law at the porosity of the start").only("drainage=coupled"),
+      key("permeability_law", [](MohrCoulombSpec& soil, CoupledSpec::Permeability law) { std::get<CoupledSpec>(soil.pores).permeability = law; }, {{"kozeny_carman", CoupledSpec::Permeability::kozeny_carman}, {"constant", CoupledSpec::Permeability::constant}}, standard("\"kozeny_carman\""), "how k follows the porosity: as n^3 / (1 - n)^2, or not at all").only("drainage=coupled"),
       key.given("porosity", "", required, fraction, "n, for the density of the mixture").only("grain_density&drainage=drained"),
-      key.given("saturation", "", required, share, "S, share of the pores that water fills (0: dry); the rest is gas").only("grain_density"),
+      key.given("saturation", "", required, share, "S, share of the pores that water fills (0: dry); the rest is gas").only("grain_density&drainage=drained|undrained"),
       key.given("saturation", "", instead_of("fluid_bulk_modulus"), share, "S, share of the pores that water fills; the rest is gas. The density is as given").only("density&drainage=undrained"),
-      key.given("fluid_density", "kg/m3", required, positive, "rho_f of the water in the pores").only("grain_density"),
-      key("fluid_bulk_modulus", [](MohrCoulombSpec& soil, double modulus) { soil.undrained->fluid_bulk_modulus = modulus; }, "Pa", instead_of("saturation"), positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton").only("density&drainage=undrained"),
+      key.given("fluid_density", "kg/m3", required, positive, "rho_f of the water in the pores").only("grain_density&drainage=drained|undrained"),
+      key("fluid_bulk_modulus", [](MohrCoulombSpec& soil, double modulus) { std::get<UndrainedSpec>(soil.pores).fluid_bulk_modulus = modulus; }, "Pa", instead_of("saturation"), positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton").only("density&drainage=undrained"),
       key.given("water_bulk_modulus", "Pa", required, positive, "K_w of the water in the pores: 1 / K_f = S / K_w + (1 - S) / gas_pressure (Verruijt 1969)").only("saturation&drainage=undrained"),
       key.given("gas_pressure", "Pa", required, positive, "absolute pressure at which the gas has its share of the pores; K_f is that of small changes around it (isothermal, nothing dissolves) and stays").only("saturation&drainage=undrained"),
   }, derive_mixture};

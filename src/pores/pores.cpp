@@ -1,0 +1,241 @@
+#include "pores.hpp"
+
+#include <geodrop/geometry/shapes.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "grid/blocks.hpp"
+#include "grid/cell_pressure.hpp"
+#include "grid/momentum.hpp"
+#include "grid/neighbourhood.hpp"
+#include "grid/seams.hpp"
+#include "transfer/slabs.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr double least_porosity = 0.01;
+
+/// Calls f(field of a soil, field of its water) once for each pair.
+template <class F>
+void for_each_pair(const std::vector<PoreSoil>& soils, F f) {
+  for (std::size_t s = 0; s < soils.size(); ++s) {
+    const auto same = [&](const PoreSoil& other) {
+      return other.field == soils[s].field && other.water == soils[s].water;
+    };
+    if (std::find_if(soils.begin(), soils.end(), same) == soils.begin() + static_cast<std::ptrdiff_t>(s))
+      f(soils[s].field, soils[s].water);
+  }
+}
+
+template <int Dim>
+void sum_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
+  for (std::size_t p = begin; p < end; ++p) {
+    std::array<int, Dim> at;
+    for (int a = 0; a < Dim; ++a) at[a] = grid.layout.base(a, body.x[a][p]);
+    const int cell = grid.layout.index(at);
+    const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
+    grid.grain_volume[cell] += body.mass[p] / soil.grain_density;
+    grid.drag_resistance[cell] += soil.resistance(n) * body.volume(p);
+  }
+}
+
+/// What a field of cells has at a node: shares of the cells around by their part of the spline.
+template <int Dim>
+double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, const std::array<int, Dim>& node) {
+  double sum = 0;
+  for_neighbourhood(grid.layout, flat, [&](int cell, const std::array<int, Dim>& a) {
+    double share = cells[cell];
+    for (int axis = 0; share != 0 && axis < Dim; ++axis) {
+      const int c = node[axis] + a[axis] - 1;
+      const double width = grid.integrals[axis].width[c];
+      share *= width > 0 ? grid.integrals[axis].value[c][2 - a[axis]] / width : 0.0;
+    }
+    sum += share;
+  });
+  return sum;
+}
+
+/// Porosity, resistance and lightness of grains at the nodes of the water.
+template <int Dim>
+void weigh_nodes(const Grid<Dim>& grid, Grid<Dim>& around) {
+  for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
+    for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
+      const double grains = at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+      const double n = std::max(0.0, 1 - grains);
+      around.pore_share[flat] = n;
+      // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
+      // water leaves as if the soil ended half a cell lower.
+      around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(around, grid.drag_resistance, flat, node) : 0.0;
+      const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
+      around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
+    }
+  });
+}
+
+/// Whether a wall takes a component of the force on a node.
+template <int Dim>
+bool wall_takes(const GridLayout<Dim>& layout, const std::array<int, Dim>& node, int component) {
+  constexpr int pad = GridLayout<Dim>::pad;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (layout.periodic(axis) || (node[axis] != pad && node[axis] != pad + layout.cells[axis])) continue;
+    const WallKind wall = node[axis] == pad ? layout.lower_wall[axis] : layout.upper_wall[axis];
+    if (axis == component || wall == WallKind::no_slip) return true;
+  }
+  return false;
+}
+
+/// Adds the soil's part of the force of the cell pressures. What a wall takes is left out: nodes of small mass, as
+/// those over the surface of a bed, would hand it to their neighbours.
+template <int Dim>
+void push_grains(Grid<Dim>& grid, const Grid<Dim>& around) {
+  for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
+    const RowForce<Dim> force = cell_pressure_force<Dim>(around, begin, count, node);
+    for (int k = 0; k < count; ++k, ++node[0])
+      for (int a = 0; a < Dim && grid.sum[begin + k][3] > 0; ++a)
+        if (!wall_takes<Dim>(grid.layout, node, a))
+          grid.force[begin + k][a] += (1 - around.pore_share[begin + k]) * force[a][k];
+  });
+}
+
+}  // namespace
+
+double PoreSoil::resistance(double n) const {
+  if (law == CoupledSpec::Permeability::constant) return water_unit_weight / conductivity;
+  const auto kozeny = [](double of) { return std::pow(of, 3) / std::pow(1 - of, 2); };
+  return water_unit_weight / (conductivity * kozeny(n) / kozeny(porosity));
+}
+
+std::vector<PoreSoil> pore_soils(const Scene& scene) {
+  const std::vector<int> fields = velocity_fields(scene);
+  const auto number = [&](const std::string& name) {
+    return static_cast<int>(std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                         [&](const BodySpec& body) { return body.name == name; }) -
+                            scene.bodies.begin());
+  };
+  constexpr double standard_gravity = 9.81;  // of the conductivity, where the scene has none
+  const double g = scene.gravity.back() < 0 ? -scene.gravity.back() : standard_gravity;
+  std::vector<PoreSoil> soils;
+  for (const BodySpec& body : scene.bodies) {
+    if (body.saturated_by.empty()) continue;
+    const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, body.material)->model);
+    const int water = number(body.saturated_by);
+    const auto& fluid = std::get<NewtonianSpec>(find_material(scene, scene.bodies[water].material)->model);
+    const CoupledSpec& pores = *soil.coupled();
+    soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
+                     pores.porosity, pores.hydraulic_conductivity, pores.permeability, fluid.density * g});
+  }
+  return soils;
+}
+
+Consolidation consolidation(const Scene& scene, const PoreSoil& soil) {
+  const BodySpec& body = scene.bodies[soil.body];
+  const Material skeleton = make_material(*find_material(scene, body.material));
+  Consolidation out;
+  const double modulus = reference_density(skeleton) * std::pow(wave_speed(skeleton), 2);
+  out.coefficient = soil.conductivity * modulus / soil.water_unit_weight;
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  out.path = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < scene.dimension; ++a) {
+    const double near = scene.grid.spacing / 2;
+    const int walls = (box.lower[a] < scene.grid.lower[a] + near) + (box.upper[a] > scene.grid.upper[a] - near);
+    if (walls < 2) out.path = std::min(out.path, (box.upper[a] - box.lower[a]) / (2 - walls));
+  }
+  out.time_factor = out.coefficient * scene.time.end / std::pow(out.path, 2);
+  return out;
+}
+
+double pore_wave_speed(const Scene& scene) {
+  double square = 0;
+  for (const PoreSoil& soil : pore_soils(scene)) {
+    const BodySpec& body = scene.bodies[soil.body];
+    const Material skeleton = make_material(*find_material(scene, body.material));
+    const auto water =
+        std::get<Newtonian>(make_material(*find_material(scene, find_body(scene, body.saturated_by)->material)));
+    const double n = soil.porosity;
+    square = std::max(square, std::pow(wave_speed(skeleton), 2) +
+                                  water.bulk_modulus / n * ((1 - n) / soil.grain_density + n / water.density));
+  }
+  return std::sqrt(square);
+}
+
+template <int Dim>
+void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Grids<Dim>& grids) {
+  for_each_pair(soils, [&](int field, int water) {
+    Grid<Dim>& grid = grids[field];
+    for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
+      for (const PoreSoil& soil : soils)
+        if (&body == &state.bodies[soil.body]) sum_range(soil, body, grid, begin, end);
+    });
+    for_each_seam(grid.layout, [&](int axis) {
+      sum_over_seam(grid.layout, axis, grid.grain_volume);
+      sum_over_seam(grid.layout, axis, grid.drag_resistance);
+    });
+    for_each_active_row(grids[water], [&](int begin, int count, const auto&) {
+      std::copy_n(grid.grain_volume.begin() + begin, count, grids[water].occupied.begin() + begin);
+    });
+  });
+}
+
+template <int Dim>
+void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
+  for_each_pair(soils, [&](int field, int water) {
+    weigh_nodes(grids[field], grids[water]);
+    if (grids[water].largest_modulus > 0) soften_light_cells(grids[water], dt);
+    push_grains(grids[field], grids[water]);
+  });
+}
+
+template <int Dim>
+void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
+  for_each_pair(soils, [&](int field, int water) {
+    Grid<Dim>&around = grids[water], &grid = grids[field];
+    for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>&) {
+      for (int flat = begin; flat < begin + count; ++flat) {
+        const double of_water = around.sum[flat][3], of_soil = grid.sum[flat][3], c = around.node_drag[flat];
+        if (!(of_water > 0 && of_soil > 0 && c > 0)) continue;
+        Vec4 impulse = around.velocity[flat] - grid.velocity[flat];
+        impulse *= dt * c / (1 + dt * c * (1 / of_water + 1 / of_soil));
+        impulse[3] = 0;
+        const auto act = [&](Grid<Dim>& on, const Vec4& change) {
+          on.velocity[flat] += change;
+          if (!on.velocity_change.empty()) on.velocity_change[flat] += change;
+        };
+        act(around, -impulse / of_water);
+        act(grid, impulse / of_soil);
+      }
+    });
+    impose_wall_velocity(around);
+    impose_wall_velocity(grid);
+  });
+}
+
+template <int Dim>
+void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
+  for_each_pair(soils, [&](int field, int water) {
+    Grid<Dim>&around = grids[water], &grid = grids[field];
+    for_each_active_row(around, [&](int begin, int count, const auto&) {
+      for (int flat = begin; flat < begin + count; ++flat) {
+        const double n = around.sum[flat][3] > 0 ? around.pore_share[flat] : 1.0;
+        around.mixture_velocity[flat] = n * around.velocity[flat] + (1 - n) * grid.velocity[flat];
+      }
+    });
+    std::swap(around.velocity, around.mixture_velocity);
+    cell_volume_rate(around);
+    std::swap(around.velocity, around.mixture_velocity);
+  });
+}
+
+#define GEODROP_INSTANTIATE(D)                                                        \
+  template void sum_grains(const std::vector<PoreSoil>&, const State<D>&, Grids<D>&); \
+  template void share_pore_pressure(const std::vector<PoreSoil>&, double, Grids<D>&); \
+  template void drag_pore_water(const std::vector<PoreSoil>&, double, Grids<D>&);     \
+  template void update_pore_rate(const std::vector<PoreSoil>&, Grids<D>&);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
+
+}  // namespace geodrop

@@ -1,0 +1,73 @@
+// Water that flows through the pores of a soil: two velocities in one place (v-w form; double-point material points,
+// Bandara & Soga 2015; Wang et al. 2018).
+//
+// Particles of the soil are the skeleton: effective stress, 1 - n = (1 - n0) / J. Particles of the water are those of a
+// fluid body, whose volume in pores is that of the water alone. Both have a velocity field of their own:
+//
+//   m_s a_s = -(1 - n) grad p + div sigma' + m_s g + R,   m_w a_w = -n grad p + m_w g - R,
+//   R = n^2 gamma_w / k (v_w - v_s) V,   k = k0 (n^3 / (1 - n)^2) / (n0^3 / (1 - n0)^2)   (Darcy; Kozeny-Carman, unless
+//   constant)
+//
+// The pressure p is that of the cells of the water. Its force on a node is divided by the node's porosity n_i; the rate
+// of a cell's water is the adjoint, from the velocity n_i v_w + (1 - n_i) v_s of the mixture. An even pressure so moves
+// nothing, wherever the porosity jumps. The drag R is implicit, node by node: the time step does not depend on k.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
+
+#include <vector>
+
+namespace geodrop {
+
+/// A coupled soil and its water.
+struct PoreSoil {
+  int body = 0;              ///< in the order of the scene
+  int field = 0, water = 0;  ///< velocity fields
+  double grain_density = 0;  ///< [kg/m3]
+  double porosity = 0;       ///< n0 [-]
+  double conductivity = 0;   ///< k0 [m/s]
+  CoupledSpec::Permeability law{};
+  double water_unit_weight = 0;  ///< gamma_w of Darcy's law [N/m3]
+
+  /// n of a particle that has the volume ratio J.
+  double porosity_at(double J) const { return 1 - (1 - porosity) / J; }
+  /// gamma_w / k: times n^2 the drag per volume and relative velocity [N s/m4].
+  double resistance(double n) const;
+};
+
+/// All of them.
+std::vector<PoreSoil> pore_soils(const Scene& scene);
+
+/// How far a coupled soil consolidates in a run (Terzaghi 1925).
+struct Consolidation {
+  double coefficient = 0;  ///< c_v = k M / gamma_w, M the confined modulus of the skeleton [m2/s]
+  double path = 0;  ///< of drainage [m]: least extent of the body, half of it if no wall is there; infinite: none
+  double time_factor = 0;  ///< T_v = c_v time.end / path^2 [-]
+};
+Consolidation consolidation(const Scene& scene, const PoreSoil& soil);
+
+/// Largest speed of waves in a coupled soil at the start [m/s]: skeleton and water with no drag between them, the
+/// fastest case. 0 if there is none.
+double pore_wave_speed(const Scene& scene);
+
+/// Grains in the cells and drag resistance, of the soils and where the water is.
+template <int Dim>
+void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Grids<Dim>& grids);
+
+/// Porosity and resistance at the nodes of the water; cells too stiff for the step give up pressure; the soil's part of
+/// the pressure joins its nodal forces.
+template <int Dim>
+void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids);
+
+/// Drag between both new nodal velocities: an impulse and its opposite.
+template <int Dim>
+void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids);
+
+/// Volume rate of the water in cells: that of the mixture over the volume of the water, times the share of cells that
+/// gave up pressure.
+template <int Dim>
+void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids);
+
+}  // namespace geodrop

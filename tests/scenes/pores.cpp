@@ -1,0 +1,53 @@
+// Coupled soil beside undrained soil, and a bed that an upward flow lifts.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/near.hpp"
+#include "support/program.hpp"
+
+using namespace geodrop::test;
+
+namespace {
+
+/// Of a history, at a time between its first and its last row.
+double at(const std::vector<double>& times, const std::vector<double>& values, double t) {
+  const auto after = std::upper_bound(times.begin(), times.end(), t);
+  const std::size_t i = std::clamp<std::ptrdiff_t>(after - times.begin(), 1, times.size() - 1);
+  const double share = (t - times[i - 1]) / (times[i] - times[i - 1]);
+  return values[i - 1] + share * (values[i] - values[i - 1]);
+}
+
+}  // namespace
+
+TEST_CASE("Coupled soil of k = 1 nm/s swings as undrained soil does") {
+  const std::vector<std::string> dense{"time.end=0.05", "output.history_interval=0.0002"};
+  std::vector<std::string> without_damping = dense;
+  without_damping.push_back("stages=");
+  const SceneRun one("tests/scenes/undrained_column.toml", dense),
+      two("cases/verification/undrained_limit.toml", without_damping);
+  const std::vector<double> times = one.column("time_s"), heights = one.column("soil.position_y_m");
+  const std::vector<double> other_times = two.column("time_s"), other_heights = two.column("soil.position_y_m");
+  const double swing = 0.5 - *std::min_element(heights.begin(), heights.end());
+  REQUIRE(swing > 1e-4);  // 0.12 mm, three times to and fro
+  double square = 0, count = 0;
+  for (std::size_t i = 1; i + 1 < times.size(); ++i, ++count)
+    square += std::pow(at(other_times, other_heights, times[i]) - heights[i], 2);
+  CHECK(std::sqrt(square / count) < 0.01 * swing);
+}
+
+TEST_CASE("Sand without cohesion rests below the critical gradient; above it rises with the rest of the flow") {
+  const auto rise = [](const std::string& pump) {
+    const SceneRun run(
+        "cases/verification/quick_condition.toml",
+        {"grid.spacing=0.1", "time.end=3.0", "materials.soil.cohesion=0.0", "materials.soil.tension_cutoff=0.0",
+         "materials.soil.poissons_ratio=0.3333", "bodies.base.initial_stress.k0=0.5",
+         "bodies.soil.initial_stress.k0=0.5", "pumps.feed.rate=" + pump});
+    const std::vector<double> heights = run.column("soil.position_y_m"), times = run.column("time_s");
+    return (at(times, heights, 2.9) - at(times, heights, 2.0)) / 0.9;
+  };
+  // 0.2 m k i, i = 0.9 and 1.1 of i_c = 0.99. Beyond it q - k i_c = 0.099 mm/s is more than the weight lets through.
+  CHECK(std::abs(rise("0.0001782")) < 5e-6);
+  CHECK(rise("0.0002178") == near(9.9e-5, 0.3));
+}
