@@ -101,10 +101,15 @@ void RandomScene::draw_walls() {
 std::string RandomScene::draw_fluid() {
   std::string keys = "model = \"newtonian\"\ndensity = " + mass(uniform(900, 1200)) +
                      "\nsound_speed = " + number(uniform(20, 60)) + "\nviscosity = " + mass(pick<double>({0, 1, 50}));
-  if (chance(0.2)) keys += "\nmixing_length = " + number(uniform(0.05, 0.2));
+  if (chance(0.2)) keys += "\nmixing_length = " + number(uniform(0.05, 0.2)), mixes_ = true;
   if (!enclosed_ && !sharp_ && chance(0.3)) keys += "\ntension_cutoff = " + mass(uniform(0, 1000)), with("cavities");
   with("newtonian");
   return keys;
+}
+
+std::string RandomScene::draw_shear() {
+  if (pick<std::string>({"none", "some"}) == "none") return "shear = \"none\"\n";
+  return mixes_ ? "shear = \"" + with("rough_wall") + "\"\nroughness = 0.01\n" : "shear = \"no_slip\"\n";
 }
 
 std::string RandomScene::draw_soil() {
@@ -203,8 +208,7 @@ void RandomScene::draw_block(const std::string& name, const Pair& centre, double
                      "\nslack = " + number(skin ? 0 : uniform(-0.02, 0.01)) + "\n" +
                      (skin ? "" : "strength = " + mass(1e5) + "\n");
   with(skin ? "skin" : "membrane");
-  if (sharp_ && name == "block")
-    keys += "interface = \"" + with("sharp") + "\"\nshear = \"" + pick<std::string>({"none", "no_slip"}) + "\"\n";
+  if (sharp_ && name == "block") keys += "interface = \"" + with("sharp") + "\"\n" + draw_shear();
   if (chance(0.3)) keys += "contents_friction = " + pick<std::string>({"0.0", "inf"}) + "\n";
   membranes_.push_back(keys);
 }
