@@ -101,15 +101,16 @@ void RandomScene::draw_walls() {
 std::string RandomScene::draw_fluid() {
   std::string keys = "model = \"newtonian\"\ndensity = " + mass(uniform(900, 1200)) +
                      "\nsound_speed = " + number(uniform(20, 60)) + "\nviscosity = " + mass(pick<double>({0, 1, 50}));
-  if (chance(0.2)) keys += "\nmixing_length = " + number(uniform(0.05, 0.2)), mixes_ = true;
+  if (chance(0.2) && !sticks_) keys += "\nmixing_length = " + number(uniform(0.05, 0.2));
   if (!enclosed_ && !sharp_ && chance(0.3)) keys += "\ntension_cutoff = " + mass(uniform(0, 1000)), with("cavities");
   with("newtonian");
   return keys;
 }
 
 std::string RandomScene::draw_shear() {
-  if (pick<std::string>({"none", "some"}) == "none") return "shear = \"none\"\n";
-  return mixes_ ? "shear = \"" + with("rough_wall") + "\"\nroughness = 0.01\n" : "shear = \"no_slip\"\n";
+  const auto shear = pick<std::string>({"none", "no_slip", "rough_wall"});
+  sticks_ = shear == "no_slip";
+  return "shear = \"" + shear + "\"\n" + (shear == "rough_wall" ? "roughness = 0.01\n" : "");
 }
 
 std::string RandomScene::draw_soil() {

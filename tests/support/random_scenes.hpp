@@ -112,7 +112,7 @@ class RandomScene {
   Pair upper_{};  ///< of the domain before the image; the lower corner is the origin
   std::string head_, walls_, zone_;
   Tables materials_, bodies_, membranes_, rigid_, contacts_, more_;
-  bool periodic_ = false, enclosed_ = false, sharp_ = false, immersed_ = false, mixes_ = false;
+  bool periodic_ = false, enclosed_ = false, sharp_ = false, immersed_ = false, sticks_ = false;
   std::string basis_, transfer_;
   std::string minus_;
   std::vector<std::string> touching_;
