@@ -8,6 +8,7 @@
 
 #include "base/shell_command.hpp"
 #include "bench/machine.hpp"
+#include "command_line/ensemble.hpp"
 #include "command_line/fall.hpp"
 #include "command_line/geotube.hpp"
 #include "command_line/only_if.hpp"
@@ -57,6 +58,7 @@ struct Arguments {
   geodrop::VerifyArguments verification;
   geodrop::ReplayArguments replay;
   geodrop::PlotArguments plot;
+  geodrop::EnsembleArguments ensemble;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -305,6 +307,9 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
         add_threads(c, a);
       },
       [&] { return replay(a); });
+  add(
+      "ensemble", "run a scene many times with inputs drawn at random; writes manifest.csv and bands.csv",
+      [&](Sub& c) { geodrop::add_ensemble_options(c, a.ensemble); }, [&] { return geodrop::run_ensemble(a.ensemble); });
   add(
       "plot", "draw pictures of a run directory", [&](Sub& c) { geodrop::add_plot_options(c, a.plot); },
       [&] { return geodrop::run_plot(a.plot); });

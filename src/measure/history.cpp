@@ -52,6 +52,8 @@ void list_body(HistoryRow& row, const std::string& name, const BodyMeasures<Dim>
   row.add(name + ".highest_m", body.upper[vertical_axis<Dim>]);
   row.add(name + ".leftmost_m", body.lower[0]);
   row.add(name + ".rightmost_m", body.upper[0]);
+  row.add(name + ".height_m", body.upper[vertical_axis<Dim>] - body.lower[vertical_axis<Dim>]);
+  row.add(name + ".width_m", body.upper[0] - body.lower[0]);
   if constexpr (Dim == 3) {
     row.add(name + ".frontmost_m", body.lower[1]);
     row.add(name + ".backmost_m", body.upper[1]);

@@ -41,7 +41,7 @@ Names of results and of columns of history.csv end in their unit: `_m`, `_s`, `_
 `_rad`, `_deg`, `_ratio` (no unit), `_r_squared` and so on. Each body has, under its name, `position_*_m` and
 `velocity_*_m_s` of its centre of mass along each axis, `rotation_deg`, `mean_pressure_centre_Pa`,
 `vertical_stress_centre_Pa`, `horizontal_stress_centre_Pa`, `velocity_rms_m_s`, and the extremes of its particles,
-`lowest_m`, `highest_m`, `leftmost_m`, `rightmost_m`. In 3D the rotation is `rotation_x_deg`, `rotation_y_deg`,
+`lowest_m`, `highest_m`, `leftmost_m`, `rightmost_m`, `height_m`, `width_m` (along x). In 3D the rotation is `rotation_x_deg`, `rotation_y_deg`,
 `rotation_z_deg`, the components of axis times angle (at most 180 degrees), the horizontal stresses are
 `horizontal_stress_x_centre_Pa` and `horizontal_stress_y_centre_Pa`, and `frontmost_m` and `backmost_m` are the extremes
 along y. Energies, masses and momenta are per metre of depth in 2D.

@@ -58,6 +58,7 @@ TEST_CASE("a body's centre, velocity and extremes") {
   CHECK(row.at("pool.velocity_rms_m_s") == near(std::sqrt((36 + 3 * 4) / 6.0), 1e-12));
   CHECK(row.at("pool.leftmost_m") == 0.5);
   CHECK(row.at("pool.rightmost_m") == 3.5);
+  CHECK(row.at("pool.width_m") == 3);
   CHECK(row.at("bag.lowest_m") == 3.5);
   CHECK(row.at("bag.highest_m") == 4.5);
 }

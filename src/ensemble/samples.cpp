@@ -1,0 +1,112 @@
+#include "samples.hpp"
+
+#include <geodrop/base/error.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <random>
+
+#include "base/text.hpp"
+
+namespace geodrop {
+namespace {
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+bool is_whole(const std::string& text) { return text.find_first_not_of("+-0123456789") == std::string::npos; }
+
+/// From 0 to below 1, by the 53 highest bits: the same on every machine, unlike std::uniform_real_distribution.
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+std::vector<double> ranks_of(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    while (end < order.size() && values[order[end]] == values[order[first]]) ++end;
+    for (std::size_t i = first; i < end; ++i) ranks[order[i]] = 0.5 * static_cast<double>(first + end - 1);
+  }
+  return ranks;
+}
+
+}  // namespace
+
+Variation parse_variation(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':', equals == std::string::npos ? 0 : equals);
+  if (equals != std::string::npos && equals > 0 && colon != std::string::npos) {
+    const std::string low = text.substr(equals + 1, colon - equals - 1), high = text.substr(colon + 1);
+    const auto from = number_in(low), to = number_in(high);
+    if (from && to && *from <= *to) return {text.substr(0, equals), *from, *to, is_whole(low) && is_whole(high)};
+  }
+  throw SceneError("--vary",
+                   {{{}, "--vary", '"' + text + '"', "KEY=LOW:HIGH, two numbers in order", ProblemSource::elsewhere}});
+}
+
+std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& variations, int samples,
+                                                 std::uint64_t seed) {
+  const auto count = static_cast<std::size_t>(samples);
+  std::vector<std::vector<double>> values(count, std::vector<double>(variations.size()));
+  for (std::size_t v = 0; v < variations.size(); ++v) {
+    std::mt19937_64 random(seed * 1000003 + v);  // of its own: one key more leaves the values of the others
+    std::vector<std::size_t> part(count);
+    std::iota(part.begin(), part.end(), std::size_t{0});
+    for (std::size_t i = count; i-- > 1;) std::swap(part[i], part[random() % (i + 1)]);
+    const Variation& range = variations[v];
+    const double width = range.whole ? range.high - range.low + 1 : range.high - range.low;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double share = (static_cast<double>(part[i]) + uniform(random)) / static_cast<double>(count);
+      values[i][v] = range.whole ? std::floor(range.low + share * width) : range.low + share * width;
+    }
+  }
+  return values;
+}
+
+std::string value_text(const Variation& variation, double value) {
+  if (variation.whole) return std::to_string(static_cast<long long>(value));
+  std::string text = format_number(value, 17);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+Band band_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {none, none, none};
+  std::ranges::sort(values);
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+  };
+  return {at(0.05), at(0.5), at(0.95)};
+}
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i]) && std::isfinite(b[i])) x.push_back(a[i]), y.push_back(b[i]);
+  if (x.empty()) return 0;
+  x = ranks_of(x);
+  y = ranks_of(y);
+  const double mean = 0.5 * static_cast<double>(x.size() - 1);
+  double xx = 0, yy = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean) * (x[i] - mean);
+    yy += (y[i] - mean) * (y[i] - mean);
+    xy += (x[i] - mean) * (y[i] - mean);
+  }
+  return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,40 @@
+// Samples of uncertain inputs, and what their results say.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace geodrop {
+
+/// A key of the scene and the range that its value is drawn from, evenly.
+struct Variation {
+  std::string key;
+  double low = 0, high = 0;
+  bool whole = false;  ///< both ends were written as whole numbers
+  bool operator==(const Variation&) const = default;
+};
+
+/// Of "KEY=LOW:HIGH"; throws SceneError if it is anything else or LOW > HIGH.
+Variation parse_variation(const std::string& text);
+
+/// Values by sample and key. Latin hypercube (McKay, Beckman & Conover 1979): of each key one value in each of as many
+/// equal parts of its range as there are samples, in random order. The same on every machine for a seed.
+std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& variations, int samples,
+                                                 std::uint64_t seed);
+
+/// The value as --set takes it.
+std::string value_text(const Variation& variation, double value);
+
+/// Median, and the values that 5 and 95 % lie below, by linear interpolation between the sorted values.
+struct Band {
+  double low, median, high;
+};
+/// Of values that are finite; nan if there are none.
+Band band_of(std::vector<double> values);
+
+/// Spearman's rank correlation of the pairs of which both are finite; equal values share their mean rank. 0 if either
+/// is the same everywhere.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace geodrop
