@@ -54,7 +54,7 @@ double ClothSlide::energy(const std::vector<double>& tension) const {
   for (std::size_t k = 0; k < cloth.nodes(); ++k) {
     if (!passable(k)) continue;
     const double beyond = excess(k, tension);
-    sum += 0.5 * beyond * beyond / cloth.drag[k];
+    sum += 0.5 * beyond * beyond / (softening_ * cloth.drag[k]);
   }
   return sum;
 }
@@ -66,13 +66,13 @@ double ClothSlide::find_gradient(const std::vector<double>& tension) {
   constexpr double converged = 1e-12, rounding = 4e-16;
   Cloth& cloth = *cloth_;
   for (std::size_t k = 0; k < cloth.nodes(); ++k)
-    cloth.passed[k] = passable(k) ? excess(k, tension) / cloth.drag[k] : 0.0;
+    cloth.passed[k] = passable(k) ? excess(k, tension) / (softening_ * cloth.drag[k]) : 0.0;
   double largest = 0;
   for (std::size_t s = 0; s < cloth.segments(); ++s) {
     const double asked = cloth.length[s] / (1 + tension[s] / cloth.stiffness);
     gradient_[s] = (cloth.rest[s] - asked) + (cloth.passed[s] - cloth.passed[node_ahead(cloth, s)]);
     if (slack(tension[s], gradient_[s])) continue;
-    const double least_drag = std::min(cloth.drag[s], cloth.drag[node_ahead(cloth, s)]);
+    const double least_drag = softening_ * std::min(cloth.drag[s], cloth.drag[node_ahead(cloth, s)]);
     largest =
         std::max(largest, std::abs(gradient_[s]) / (converged * cloth.length[s] + rounding * tension[s] / least_drag));
   }
@@ -83,12 +83,14 @@ double ClothSlide::find_gradient(const std::vector<double>& tension) {
 void ClothSlide::find_direction(const std::vector<double>& tension) {
   const Cloth& cloth = *cloth_;
   const std::size_t n = cloth.segments();
-  const auto holds = [&](std::size_t k) { return cloth.passed[k] != 0 ? 1 / cloth.drag[k] : 0.0; };
-  const auto stays = [&](std::size_t s) { return slack(tension[s], gradient_[s]); };
+  const auto holds = [&](std::size_t k) { return cloth.passed[k] != 0 ? 1 / (softening_ * cloth.drag[k]) : 0.0; };
+  const double next_to_none = 1e-6 * cloth.stiffness;  // such tensions fall to 0 at once where they have to fall
+  const auto stays = [&](std::size_t s) { return tension[s] <= next_to_none && gradient_[s] >= 0; };
   for (std::size_t s = 0; s < n; ++s) {
     const std::size_t behind = s == 0 ? n - 1 : s - 1, ahead = s + 1 == n ? 0 : s + 1;
-    lower_[s] = upper_[s] = right_[s] = 0;
+    lower_[s] = upper_[s] = 0;
     diagonal_[s] = 1;
+    right_[s] = -tension[s];
     if (stays(s)) continue;
     const double stretched = cloth.stiffness + tension[s], below = holds(s), above = holds(node_ahead(cloth, s));
     diagonal_[s] = cloth.stiffness * cloth.length[s] / (stretched * stretched) + below + above;
@@ -149,20 +151,32 @@ double ClothSlide::advance(double least_gradient) {
   return now;
 }
 
+bool ClothSlide::descend(double softening, int rounds) {
+  softening_ = softening;
+  double now = find_gradient(tension_), least = now;
+  for (int round = 0; round < rounds && now >= 1; ++round) {
+    find_direction(tension_);
+    now = advance(least);
+    least = std::min(least, now);
+  }
+  return now < 1;
+}
+
 bool ClothSlide::solve(Cloth& cloth) {
+  constexpr int few_rounds = 25;
   cloth_ = &cloth;
   const std::size_t n = cloth.segments();
   for (std::vector<double>* values : {&trial_, &gradient_, &lower_, &diagonal_, &upper_, &right_, &corner_, &factor_})
     values->resize(n);
   tension_ = cloth.tension;
-  double now = find_gradient(tension_), least = now;
-  for (int round = 0; round < most_rounds && now >= 1; ++round) {
-    find_direction(tension_);
-    now = advance(least);
-    least = std::min(least, now);
+  bool done = descend(1, few_rounds);
+  if (!done) {
+    for (const double softening : {1e4, 1e3, 1e2, 1e1}) descend(softening, few_rounds);
+    done = descend(1, most_rounds);
   }
+  if (!done) std::fill(cloth.passed.begin(), cloth.passed.end(), 0.0);
   for (std::size_t s = 0; s < n; ++s) cloth.rest[s] += cloth.passed[s] - cloth.passed[node_ahead(cloth, s)];
-  return now < 1;
+  return done;
 }
 
 void slide_freely(Cloth& cloth) {

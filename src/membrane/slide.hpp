@@ -35,10 +35,10 @@ struct Cloth {
 ///   sum_s (T_s r_s^old - J L_s ln(1 + T_s/J)) + sum_k max(0, |T_k - T_(k-1) + g_k| - F_k)^2 / (2 z_k),
 /// whose gradient is what a segment has of rest length less what its tension asks for. Newton's method (Bertsekas 1982,
 /// for bounds) with a tridiagonal matrix, from the tensions of the step before: stick, slip and slack need no search.
-/// Keeps its arrays from one step to the next.
+/// Where that takes more than some rounds, from more drag to less. Keeps its arrays from one step to the next.
 class ClothSlide {
  public:
-  /// False if it has not converged within `most_rounds`. All z > 0.
+  /// False if it has not converged within `most_rounds`: nothing slides then. All z > 0.
   bool solve(Cloth& cloth);
 
   static constexpr int most_rounds = 200;
@@ -52,8 +52,10 @@ class ClothSlide {
   void find_direction(const std::vector<double>& tension);
   void solve_tridiagonal();
   double advance(double least_gradient);
+  bool descend(double softening, int rounds);
 
   Cloth* cloth_ = nullptr;
+  double softening_ = 1;  ///< of the drag
   std::vector<double> tension_, trial_, gradient_;
   std::vector<double> lower_, diagonal_, upper_, right_, corner_, factor_;  // of Newton's system
 };
