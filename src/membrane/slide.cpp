@@ -163,7 +163,7 @@ bool ClothSlide::descend(double softening, int rounds) {
 }
 
 bool ClothSlide::solve(Cloth& cloth) {
-  constexpr int few_rounds = 25;
+  constexpr int few_rounds = 25, some_rounds = 60;
   cloth_ = &cloth;
   const std::size_t n = cloth.segments();
   for (std::vector<double>* values : {&trial_, &gradient_, &lower_, &diagonal_, &upper_, &right_, &corner_, &factor_})
@@ -171,7 +171,7 @@ bool ClothSlide::solve(Cloth& cloth) {
   tension_ = cloth.tension;
   bool done = descend(1, few_rounds);
   if (!done) {
-    for (const double softening : {1e4, 1e3, 1e2, 1e1}) descend(softening, few_rounds);
+    for (const double softening : {1e4, 1e3, 1e2, 1e1}) descend(softening, some_rounds);
     done = descend(1, most_rounds);
   }
   if (!done) std::fill(cloth.passed.begin(), cloth.passed.end(), 0.0);

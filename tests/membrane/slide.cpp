@@ -144,6 +144,31 @@ TEST_CASE("Long lines with a little friction converge") {
   }
 }
 
+TEST_CASE("Lines of a falling bag, noisy and partly slack, are solved from any tensions that they had before") {
+  Random random(23);
+  for (int trial = 0; trial < 60; ++trial) {
+    CAPTURE(trial);
+    constexpr std::size_t segments = 220;
+    Cloth cloth = unstrained(segments, true, 0);
+    const double noise = std::pow(10, random.uniform(-4, -1.5));
+    for (std::size_t s = 0; s < segments; ++s) {
+      cloth.length[s] = 0.0625 * (1 + random.uniform(-noise, noise));
+      cloth.rest[s] = 0.0625 * (1 + (random.uniform(0, 1) < 0.1 ? 0.3 : 0.0));
+      cloth.friction[s] = std::max(0.0, random.uniform(-50, 250));
+      cloth.load[s] = random.uniform(-1, 1);
+      cloth.drag[s] = 1600;
+      cloth.tension[s] = std::max(0.0, random.uniform(-5000, 10000));
+    }
+    const double length = sum(cloth.rest);
+    CHECK(ClothSlide().solve(cloth));
+    CHECK(sum(cloth.rest) == near(length, 1e-13));
+    for (std::size_t k = 1; k < segments; ++k) {
+      const double handed = tension_of(cloth, k) - tension_of(cloth, k - 1) + cloth.load[k];
+      REQUIRE(std::abs(handed) <= cloth.friction[k] + cloth.drag[k] * std::abs(cloth.passed[k]) + 0.01);
+    }
+  }
+}
+
 TEST_CASE("Without friction and loads the tension is J (L / L0 - 1) of the whole line, or 0 everywhere") {
   Random random(7);
   for (const bool closed : {true, false})
