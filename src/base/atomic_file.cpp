@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <fstream>
+#include <iterator>
 
 #include <cerrno>
 #include <cstring>
@@ -51,6 +53,11 @@ void AtomicFile::commit() {
   if (error) throw_not_written(path_, error.value());
   file_.reset();
   sync_directory(path_.parent_path());
+}
+
+std::string text_of_file(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void write_file_atomically(const std::filesystem::path& path, const std::string& text) {

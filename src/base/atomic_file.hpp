@@ -35,6 +35,9 @@ class AtomicFile {
   std::unique_ptr<std::FILE, CloseFile> file_;
 };
 
+/// All of a file; empty if it cannot be read.
+std::string text_of_file(const std::filesystem::path& path);
+
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
 
 /// Puts on disk which names a directory holds.

@@ -1,5 +1,6 @@
 #include "instructions.hpp"
 
+#include "base/atomic_file.hpp"
 #include "child.hpp"
 #include "counted_steps.hpp"
 #include "machine.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -49,11 +49,6 @@ class Scratch {
   std::filesystem::path path_;
 };
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// One process for all benchmarks; callgrind writes a dump whenever one ends, numbered from 1.
 std::vector<InstructionCount> count_instructions(const BenchOptions& options) {
   const Scratch scratch;
@@ -78,13 +73,13 @@ std::vector<InstructionCount> count_instructions(const BenchOptions& options) {
     throw SceneError("valgrind",
                      {{{}, "--instructions", "no such program", "it is installed", ProblemSource::elsewhere}});
   if (outcome.code != 0) {
-    std::fprintf(stderr, "%s", text_of(scratch.path() / "log").c_str());
+    std::fprintf(stderr, "%s", text_of_file(scratch.path() / "log").c_str());
     throw std::runtime_error("the counted program failed");
   }
   const StepReport report = parse_steps(outcome.out);
   std::vector<InstructionCount> counts;
   for (const StepTime& time : report.times) {
-    const double total = callgrind_total(text_of(dumps + "." + std::to_string(counts.size() + 1)));
+    const double total = callgrind_total(text_of_file(dumps + "." + std::to_string(counts.size() + 1)));
     const double particle_steps = static_cast<double>(time.particles) * time.steps;
     counts.push_back({time.name, report.build, time.particles, time.steps, total / particle_steps});
   }

@@ -8,9 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -19,16 +17,12 @@
 #include "base/atomic_file.hpp"
 #include "base/text.hpp"
 #include "bench/child.hpp"
+#include "files/run_directory.hpp"
 
 namespace geodrop {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// A run of the ensemble; `code` is empty until it ends.
 struct Member {
@@ -40,7 +34,7 @@ struct Member {
 
 /// The values of results in a summary.json, which has `"NAME": {"value": X` for each.
 std::vector<double> results_in(const fs::path& summary, const std::vector<std::string>& names) {
-  const std::string text = text_of(summary);
+  const std::string text = text_of_file(summary);
   const std::size_t section = text.find("\"results\": {");
   std::vector<double> values;
   for (const std::string& name : names) {
@@ -52,10 +46,6 @@ std::vector<double> results_in(const fs::path& summary, const std::vector<std::s
     values.push_back(end == number ? std::numeric_limits<double>::quiet_NaN() : value);
   }
   return values;
-}
-
-bool is_done(const fs::path& directory) {
-  return text_of(directory / "summary.json").find("\"status\": \"done\"") != std::string::npos;
 }
 
 class Ensemble {
@@ -118,7 +108,7 @@ class Ensemble {
   void claim_directory() {
     fs::create_directories(options_.output);
     const fs::path file = options_.output / "design.txt";
-    if (fs::exists(file) && text_of(file) != design())
+    if (fs::exists(file) && text_of_file(file) != design())
       throw SceneError(options_.output.string(), {{{},
                                                    "--output",
                                                    "an ensemble of another design (design.txt)",
@@ -130,7 +120,7 @@ class Ensemble {
   void make(std::size_t i) {
     Member& member = members_[i];
     int code = 0;
-    if (!is_done(member.directory)) {
+    if (!done_at(member.directory)) {
       std::vector<std::string> words{own_program(), "run",      options_.scene,           "--threads",
                                      "1",           "--output", member.directory.string()};
       words.emplace_back(fs::exists(member.directory / "checkpoint.bin") ? "--resume" : "--overwrite");

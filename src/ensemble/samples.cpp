@@ -1,16 +1,17 @@
 #include "samples.hpp"
 
 #include <geodrop/base/error.hpp>
+#include <geodrop/measure/measure.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
 
 #include "base/text.hpp"
+#include "measure/series.hpp"
 
 namespace geodrop {
 namespace {
@@ -80,33 +81,15 @@ std::string value_text(const Variation& variation, double value) {
 
 Band band_of(std::vector<double> values) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (values.empty()) return {none, none, none};
-  std::ranges::sort(values);
-  const auto at = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-  };
-  return {at(0.05), at(0.5), at(0.95)};
+  return {percentile(values, 5), percentile(values, 50), percentile(values, 95)};
 }
 
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> x, y;
   for (std::size_t i = 0; i < a.size(); ++i)
     if (std::isfinite(a[i]) && std::isfinite(b[i])) x.push_back(a[i]), y.push_back(b[i]);
-  if (x.empty()) return 0;
-  x = ranks_of(x);
-  y = ranks_of(y);
-  const double mean = 0.5 * static_cast<double>(x.size() - 1);
-  double xx = 0, yy = 0, xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mean) * (x[i] - mean);
-    yy += (y[i] - mean) * (y[i] - mean);
-    xy += (x[i] - mean) * (y[i] - mean);
-  }
-  return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0;
+  const Moments sums = moments_of(ranks_of(x), ranks_of(y));
+  return sums.xx > 0 && sums.yy > 0 ? sums.xy / std::sqrt(sums.xx * sums.yy) : 0;
 }
 
 }  // namespace geodrop

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <geodrop/base/error.hpp>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -156,8 +155,7 @@ fs::path choose_directory(const Scene& scene, const fs::path& asked_for) {
 }
 
 std::optional<double> done_at(const fs::path& directory) {
-  std::ifstream file(directory / "summary.json");
-  const std::string text{std::istreambuf_iterator<char>(file), {}}, time = "\"time_s\": ";
+  const std::string text = text_of_file(directory / "summary.json"), time = "\"time_s\": ";
   const std::size_t at = text.find(time);
   if (text.find("\"status\": \"done\"") == std::string::npos || at == std::string::npos) return std::nullopt;
   return std::strtod(text.c_str() + at + time.size(), nullptr);

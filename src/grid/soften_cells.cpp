@@ -75,8 +75,8 @@ bool may_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int
 
 template <int Dim>
 CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
-  WideRow<Dim> along{},
-      across{};  // 1 / mass over y and z, to be multiplied with squares of slopes; the others, of values
+  // Sums of 1 / mass over y and z, to be multiplied with squares of slopes along x, and with those of values.
+  WideRow<Dim> along{}, across{};
   const WideRow<Dim> light = light_along<Dim>(grid, count, cell);
   const auto entry = [&](const auto& table, int axis, int a) { return square(table[cell[axis]][a]); };
   for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {

@@ -91,6 +91,17 @@ double slope(const Series& series) {
   return tt > 0 ? tv / tt : not_told;
 }
 
+Moments moments_of(const std::vector<double>& x, const std::vector<double>& y) {
+  const double x_mean = mean(x), y_mean = mean(y);
+  Moments sums;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sums.xx += (x[i] - x_mean) * (x[i] - x_mean);
+    sums.yy += (y[i] - y_mean) * (y[i] - y_mean);
+    sums.xy += (x[i] - x_mean) * (y[i] - y_mean);
+  }
+  return sums;
+}
+
 double r_squared(const Series& a, const Series& b) {
   std::vector<double> x, y;
   for (std::size_t i = 0, j = 0; i < a.t.size() && j < b.t.size();) {
@@ -102,13 +113,7 @@ double r_squared(const Series& a, const Series& b) {
     i += step_a;
     j += step_b;
   }
-  const double x_mean = mean(x), y_mean = mean(y);
-  double xx = 0, yy = 0, xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - x_mean) * (x[i] - x_mean);
-    yy += (y[i] - y_mean) * (y[i] - y_mean);
-    xy += (x[i] - x_mean) * (y[i] - y_mean);
-  }
+  const auto [xx, yy, xy] = moments_of(x, y);
   return xx > 0 && yy > 0 ? xy * xy / (xx * yy) : not_told;
 }
 

@@ -23,6 +23,12 @@ double first_time_below(const Series& series, double level);
 /// Root of the mean of (series(times_i) - values_i)^2, the series linear between rows.
 double rms_difference(const Series& series, const std::vector<double>& times, const std::vector<double>& values);
 
+/// Sums of squares and products about the means, of as many values each.
+struct Moments {
+  double xx = 0, yy = 0, xy = 0;
+};
+Moments moments_of(const std::vector<double>& x, const std::vector<double>& y);
+
 /// Square of Pearson's correlation of two series at their common times: 1 if one is a straight line of the other.
 double r_squared(const Series& a, const Series& b);
 

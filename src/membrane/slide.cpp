@@ -80,19 +80,19 @@ double ClothSlide::find_gradient(const std::vector<double>& tension) {
 }
 
 /// Newton's direction for the tensions of segments that do not stay slack replaces `right_`.
-void ClothSlide::find_direction(const std::vector<double>& tension) {
+void ClothSlide::find_direction() {
   const Cloth& cloth = *cloth_;
   const std::size_t n = cloth.segments();
   const auto holds = [&](std::size_t k) { return cloth.passed[k] != 0 ? 1 / (softening_ * cloth.drag[k]) : 0.0; };
   const double next_to_none = 1e-6 * cloth.stiffness;  // such tensions fall to 0 at once where they have to fall
-  const auto stays = [&](std::size_t s) { return tension[s] <= next_to_none && gradient_[s] >= 0; };
+  const auto stays = [&](std::size_t s) { return tension_[s] <= next_to_none && gradient_[s] >= 0; };
   for (std::size_t s = 0; s < n; ++s) {
     const std::size_t behind = s == 0 ? n - 1 : s - 1, ahead = s + 1 == n ? 0 : s + 1;
     lower_[s] = upper_[s] = 0;
     diagonal_[s] = 1;
-    right_[s] = -tension[s];
+    right_[s] = -tension_[s];
     if (stays(s)) continue;
-    const double stretched = cloth.stiffness + tension[s], below = holds(s), above = holds(node_ahead(cloth, s));
+    const double stretched = cloth.stiffness + tension_[s], below = holds(s), above = holds(node_ahead(cloth, s));
     diagonal_[s] = cloth.stiffness * cloth.length[s] / (stretched * stretched) + below + above;
     right_[s] = -gradient_[s];
     if (!stays(behind)) lower_[s] = -below;
@@ -155,7 +155,7 @@ bool ClothSlide::descend(double softening, int rounds) {
   softening_ = softening;
   double now = find_gradient(tension_), least = now;
   for (int round = 0; round < rounds && now >= 1; ++round) {
-    find_direction(tension_);
+    find_direction();
     now = advance(least);
     least = std::min(least, now);
   }

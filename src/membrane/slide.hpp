@@ -49,7 +49,7 @@ class ClothSlide {
   double excess(std::size_t k, const std::vector<double>& tension) const;
   double energy(const std::vector<double>& tension) const;
   double find_gradient(const std::vector<double>& tension);
-  void find_direction(const std::vector<double>& tension);
+  void find_direction();
   void solve_tridiagonal();
   double advance(double least_gradient);
   bool descend(double softening, int rounds);
