@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "cell_slopes.hpp"
+#include "grid/blocks.hpp"
+#include "grid/momentum.hpp"
 #include "grid/nearby_cells.hpp"
 #include "outline_pieces.hpp"
 #include "wet_cells.hpp"
@@ -70,8 +72,9 @@ std::vector<CutCell> cut_cells_of(const Grid<2>& grid, const Membrane<2>& membra
 /// Whether the field's part of a cell stands by itself.
 bool stands(const Grid<2>& grid, int flat) {
   const double whole = cell_area(grid.layout, flat);
-  return 1 - grid.taken[flat] >= least_part && (grid.cell_flags[flat] & cell_filled) &&
-         grid.cell_volume[flat] >= least_filled * whole;
+  const double grains = grid.occupied.empty() ? 0.0 : grid.occupied[flat];
+  return 1 - grid.taken[flat] >= least_part && (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0 &&
+         grid.cell_volume[flat] + grains >= least_filled * whole;
 }
 
 /// The nearest cell that stands by itself, rather one to the side that `towards` points to: a thin body has water on
@@ -158,6 +161,12 @@ void share_pressure(Grid<2>& grid) {
   });
 }
 
+/// The field inside a sharp membrane whose cells have its pressure: that of the water, if water flows in the pores.
+Grid<2>& pressed_field(const Membrane<2>& membrane, Grids<2>& grids) {
+  const int water = grids[membrane.field].pore_water;
+  return grids[water < 0 ? membrane.field : water];
+}
+
 /// What the last step left in cells beside an interface, in blocks that may not be active any more.
 void forget_cells(Grids<2>& grids) {
   Grid<2>& around = grids.front();
@@ -165,6 +174,7 @@ void forget_cells(Grids<2>& grids) {
     for (std::size_t c = 0; c < grid.outline.size(); ++c) {
       const int flat = flat_of(grid.layout, grid.outline, static_cast<int>(c));
       grid.taken[flat] = around.taken[flat] = 0;
+      if (grid.pore_water > 0) grids[grid.pore_water].taken[flat] = 0;
     }
     for (const PartCell& part : grid.part_cells) {
       grid.cell_flags[part.flat] = 0;
@@ -187,6 +197,7 @@ void cut_interface_cells(const State<2>& state, Grids<2>& grids) {
     for (std::size_t c = 0; c < grid.outline.size(); ++c) {
       const int flat = flat_of(grid.layout, grid.outline, static_cast<int>(c));
       grid.taken[flat] = 1 - grid.outline.area[c];
+      pressed_field(membrane, grids).taken[flat] = grid.taken[flat];
       around.taken[flat] += grid.outline.area[c];
     }
   }
@@ -198,10 +209,10 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
   for (Grid<2>& grid : grids) lists.emplace_back(grid);
   for (const Membrane<2>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    Grid<2>& grid = grids[membrane.field];
+    const Grid<2>&grid = grids[membrane.field], &pressed = pressed_field(membrane, grids);
     for (const CutCell& cell : cut_cells_of(grid, membrane)) {
-      PartCell& inside = lists[membrane.field].at(cell.flat, cell.inside);
-      inside.host = find_host(grid, cell.flat, {-cell.normal[0], -cell.normal[1]});
+      PartCell& inside = lists[pressed.field].at(cell.flat, cell.inside);
+      inside.host = find_host(pressed, cell.flat, {-cell.normal[0], -cell.normal[1]});
       const CellSpans spans = spans_of(around.layout, cell.flat);
       PartCell& outside = lists.front().at(cell.flat, whole_cell(spans));
       outside.host = is_wet(around, cell.flat) ? find_host(around, cell.flat, cell.normal) : -1;
@@ -218,7 +229,7 @@ void share_interface_pressure(const State<2>& state, Grids<2>& grids) {
         if (field.cell_volume[flat] > 0) list.at(flat, Slope{}).host = find_host(field, flat, {});
       });
     };
-    take_in_strays(grid, lists[membrane.field], false);
+    take_in_strays(pressed, lists[pressed.field], false);
     take_in_strays(around, lists.front(), true);
   }
   for (std::size_t f = 0; f < grids.size(); ++f) {
@@ -247,6 +258,23 @@ void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt) {
   }
 }
 
+namespace {
+
+/// Grains at the nodes of pore water beside a membrane, by their volume: grid/momentum takes 1 - n, as if the splines
+/// were full there.
+void fill_with_grains(Grid<2>& water) {
+  for_each_active_real_row(water, [&](int begin, int count, std::array<int, 2> node) {
+    for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
+      const double n = water.pore_share[flat];
+      if (!(n > 0 && n < 1)) continue;
+      const double grains = water.sum[flat][2] * (1 - n) / n;
+      water.velocity[flat][3] += grains / node_measure<2>(water, node) - (1 - n);
+    }
+  });
+}
+
+}  // namespace
+
 void fill_other_sides(const State<2>& state, Grids<2>& grids) {
   const GridLayout<2>& layout = grids.front().layout;
   const auto fill = [&](Grid<2>& grid, int flat, const std::array<double, 9>& value) {
@@ -259,36 +287,51 @@ void fill_other_sides(const State<2>& state, Grids<2>& grids) {
     for (const PartCell& part : grid.part_cells) fill(grid, part.flat, part.elsewhere);
   for (const Membrane<2>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    Grid<2>& grid = grids[membrane.field];
+    if (Grid<2>& pressed = pressed_field(membrane, grids); !pressed.pore_share.empty()) fill_with_grains(pressed);
     for (const bool inside : {true, false})
-      for_each_uncut(layout, grid.outline, inside,
-                     [&](int flat) { fill(inside ? grids.front() : grid, flat, whole_value(spans_of(layout, flat))); });
+      for_each_uncut(layout, grids[membrane.field].outline, inside, [&](int flat) {
+        fill(inside ? grids.front() : pressed_field(membrane, grids), flat, whole_value(spans_of(layout, flat)));
+      });
+  }
+}
+
+void for_each_interface_force(const Grid<2>& grid, const std::function<void(int, const std::array<double, 2>&)>& f) {
+  for (const PartCell& part : grid.part_cells) {
+    const Slope whole = whole_cell(spans_of(grid.layout, part.flat));
+    const double pressure = grid.cell_pressure[part.flat];
+    for (int n = 0; n < 9; ++n)
+      f(node_around(grid.layout, part.flat, n),
+        {pressure * (part.slope[n][0] - whole[n][0]), pressure * (part.slope[n][1] - whole[n][1])});
   }
 }
 
 void add_interface_force(Grids<2>& grids) {
-  for (Grid<2>& grid : grids)
-    for (const PartCell& part : grid.part_cells) {
-      const Slope whole = whole_cell(spans_of(grid.layout, part.flat));
-      for (int n = 0; n < 9; ++n)
-        for (int a = 0; a < 2; ++a)
-          grid.force[node_around(grid.layout, part.flat, n)][a] +=
-              grid.cell_pressure[part.flat] * (part.slope[n][a] - whole[n][a]);
-    }
+  for (Grid<2>& grid : grids) {
+    if (!grid.pore_share.empty()) continue;  // shared with the grains, see pores/pores
+    for_each_interface_force(grid, [&](int node, const std::array<double, 2>& force) {
+      for (int a = 0; a < 2; ++a) grid.force[node][a] += force[a];
+    });
+  }
 }
 
 void update_interface_rates(Grids<2>& grids) {
-  for (Grid<2>& grid : grids)
+  for (Grid<2>& grid : grids) {
+    const int width = grid.layout.stride[1];
+    const auto velocity = [&](int node) {
+      return grid.mixture_velocity.empty() ? carried_velocity<2>(grid, node, {node % width, node / width})
+                                           : grid.mixture_velocity[node];
+    };
     for_each_group(grid.part_cells, [&](auto first, auto last) {
       double flow = 0;
       for (auto part = first; part != last; ++part)
         for (int n = 0; n < 9; ++n) {
-          const Vec4& v = grid.velocity[node_around(grid.layout, part->flat, n)];
+          const Vec4 v = velocity(node_around(grid.layout, part->flat, n));
           flow += part->slope[n][0] * v[0] + part->slope[n][1] * v[1];
         }
       const double rate = flow / volume_of_group(grid, first, last);
       for (auto part = first; part != last; ++part) grid.volume_rate[part->flat] = rate;
     });
+  }
 }
 
 }  // namespace geodrop

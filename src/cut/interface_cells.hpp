@@ -17,6 +17,9 @@
 #include <geodrop/grid/grid.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <array>
+#include <functional>
+
 namespace geodrop {
 
 /// Cuts the cells at sharp membranes; Grid::taken of the fields on both sides.
@@ -34,7 +37,11 @@ void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt);
 /// the membrane as elsewhere, and keep their distance from it.
 void fill_other_sides(const State<2>& state, Grids<2>& grids);
 
-/// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N].
+/// f(node, force [N]): what turns the force of the whole cells of a field into that of their parts.
+void for_each_interface_force(const Grid<2>& grid, const std::function<void(int, const std::array<double, 2>&)>& f);
+
+/// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N]. Water in
+/// pores shares its own with the grains, see pores/pores.
 void add_interface_force(Grids<2>& grids);
 
 /// Volume rates of the parts of cut cells.

@@ -64,21 +64,31 @@ double pressure_inside(const Membrane<2>& membrane, const CutCells& cells, const
   return stretch.length > 0 ? sum / stretch.length : 0;
 }
 
+/// What a row says: the normal velocities inside and around are one, or those along the membrane; or, of the water in
+/// pores, what flows through the membrane relative to the grains.
+enum class Says { normal, tangent, through };
+
+Array<double>& traction_of(Membrane<2>& membrane, Says says) {
+  if (says == Says::through) return membrane.pore_pressure;
+  return says == Says::normal ? membrane.water_pressure : membrane.water_shear;
+}
+
 /// Mean over a stretch of the traction that its segments had.
-double last_traction(const Contact& contact, const CutCells& cells, Direction direction) {
-  const bool normal = direction == Direction::normal;
-  const Array<double>& traction = normal ? contact.membrane->water_pressure : contact.membrane->water_shear;
+double last_traction(const Contact& contact, const CutCells& cells, Says says) {
+  const Array<double>& traction = traction_of(*contact.membrane, says);
   double sum = 0;
   for_each_piece(cells, contact.stretch, [&](const CutCells::Piece& piece) {
     sum += traction[piece.edge] * length_of(*contact.membrane, piece);
   });
-  return contact.stretch.length > 0 ? (normal ? sum : -cells.sense * sum) / contact.stretch.length : 0;
+  return contact.stretch.length > 0 ? (says == Says::tangent ? -cells.sense * sum : sum) / contact.stretch.length : 0;
 }
 
 void forget_tractions(Membrane<2>& membrane) {
   std::fill(membrane.water_pressure.begin(), membrane.water_pressure.end(), 0.0);
   std::fill(membrane.water_shear.begin(), membrane.water_shear.end(), 0.0);
   std::fill(membrane.bed_shear.begin(), membrane.bed_shear.end(), 0.0);
+  std::fill(membrane.pore_pressure.begin(), membrane.pore_pressure.end(), 0.0);
+  std::fill(membrane.seepage.begin(), membrane.seepage.end(), 0.0);
 }
 
 /// Where the bed is around a membrane: volume of its particles in each cell of the box, and that times pore pressure.
@@ -187,23 +197,31 @@ class ContactRows {
  public:
   struct Row {
     std::size_t contact;
-    Direction direction;
+    Says says;
   };
 
   explicit ContactRows(const Grids<2>& grids) : grids_(grids), rows_(grids) {}
 
   /// False if one of the sides has no mass there.
-  bool add(const std::vector<Contact>& contacts, std::size_t c, Direction direction) {
+  bool add(const std::vector<Contact>& contacts, std::size_t c, Says says) {
     const Membrane<2>& membrane = *contacts[c].membrane;
-    const CutCells& cells = grids_[membrane.field].outline;
-    const GridLayout<2>& layout = grids_.front().layout;
-    if (!rows_.add(membrane.field, 0, line_integrals(layout, membrane, cells, contacts[c].stretch, direction)))
-      return false;
-    list_.push_back({c, direction});
-    return true;
+    const Grid<2>& grid = grids_[membrane.field];
+    const Direction direction = says == Says::tangent ? Direction::tangent : Direction::normal;
+    std::vector<NodeVector> vectors =
+        line_integrals(grid.layout, membrane, grid.outline, contacts[c].stretch, direction);
+    bool complete = false;
+    if (says == Says::through) {
+      for (NodeVector& vector : vectors)
+        for (double& value : vector.value) value *= grids_[grid.pore_water].pore_share[vector.node];
+      complete = rows_.add(grid.pore_water, membrane.field, vectors);
+    } else {
+      complete = rows_.add(membrane.field, 0, vectors);
+    }
+    if (complete) list_.push_back({c, says});
+    return complete;
   }
 
-  const Rows& rows() const { return rows_; }
+  Rows& rows() { return rows_; }
   const std::vector<Row>& list() const { return list_; }
 
  private:
@@ -213,22 +231,24 @@ class ContactRows {
 };
 
 /// Adds up the tractions of rows on the segments of membranes.
-void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids<2>& grids,
-           std::vector<Contact>& contacts) {
+void store(ContactRows& rows, const Eigen::VectorXd& traction, const Grids<2>& grids, std::vector<Contact>& contacts) {
   for (std::size_t r = 0; r < rows.list().size(); ++r) {
     const std::size_t c = rows.list()[r].contact;
-    const Direction direction = rows.list()[r].direction;
+    const Says says = rows.list()[r].says;
     Membrane<2>& membrane = *contacts[c].membrane;
     const CutCells& cells = grids[membrane.field].outline;
-    const bool normal = direction == Direction::normal;
-    if (normal) contacts[c].pressure = traction[static_cast<Eigen::Index>(r)];
-    Array<double>& target = normal ? membrane.water_pressure : membrane.water_shear;
+    const bool along = says == Says::tangent;
+    if (says == Says::normal) contacts[c].pressure = traction[static_cast<Eigen::Index>(r)];
+    Array<double>& target = traction_of(membrane, says);
     const double sign =
-        normal ? 1 : -cells.sense;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
+        along ? -cells.sense : 1;  // -p t acts on the membrane, t with the nodes if they run anticlockwise
     for_each_piece(cells, contacts[c].stretch, [&](const CutCells::Piece& piece) {
       const double part = sign * (piece.to - piece.from) * traction[static_cast<Eigen::Index>(r)];
       target[piece.edge] += part;
-      if (!normal && contacts[c].on_bed) membrane.bed_shear[piece.edge] += part;
+      if (along && contacts[c].on_bed) membrane.bed_shear[piece.edge] += part;
+      if (says == Says::through && !contacts[c].on_bed)
+        membrane.seepage[piece.edge] += (piece.to - piece.from) * membrane.permeance *
+                                        (traction[static_cast<Eigen::Index>(r)] - contacts[c].pressure);
     });
   }
 }
@@ -237,6 +257,13 @@ void store(const ContactRows& rows, const Eigen::VectorXd& traction, const Grids
 struct Solution {
   Eigen::VectorXd traction;
   bool converged;
+};
+
+/// What the tractions of rows do to the velocities of the rows: S = E K E^T + D, of the nodes' masses within E, the
+/// drag K of pore water (empty: none) and the flow D through the membrane.
+struct System {
+  SparseRows S;
+  Eigen::VectorXd rate;  ///< of the rows without tractions: E K v / dt
 };
 
 /// Tractions that stop the gaps from opening and closing, and the slip where it sticks.
@@ -252,11 +279,9 @@ Solution solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen
 
 /// The same, where some rows may only push: those that would pull are open, and take no part, unless their gap would
 /// close then (primal-dual active sets, Hintermueller et al. 2002).
-Solution solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const std::vector<bool>& only_pushes,
-               const Eigen::VectorXd& guess) {
+Solution solve(const System& system, const std::vector<bool>& only_pushes, const Eigen::VectorXd& guess) {
   constexpr int most_rounds = 10;
-  const SparseRows S = E * E.transpose();
-  const Eigen::VectorXd gap_rate = E * velocity_rate;
+  const auto& [S, gap_rate] = system;
   Solution found = solve(S, gap_rate, guess);
   if (std::find(only_pushes.begin(), only_pushes.end(), true) == only_pushes.end()) return found;
   Eigen::VectorXd joined = Eigen::VectorXd::Ones(gap_rate.size());
@@ -269,13 +294,38 @@ Solution solve(const SparseRows& E, const Eigen::VectorXd& velocity_rate, const 
       joined[r] = pushes;
     }
     if (!changed) return found;
-    const SparseRows F = joined.asDiagonal() * E;
-    SparseRows of_joined = F * F.transpose();
+    SparseRows of_joined = joined.asDiagonal() * S * joined.asDiagonal();
     of_joined.diagonal().array() += 1 - joined.array();
     found = solve(of_joined, joined.cwiseProduct(gap_rate), joined.cwiseProduct(guess));
   }
   found.converged = false;  // the last sets are not those of their solution
   return found;
+}
+
+/// The system of rows, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows ask
+/// for velocities after it.
+System system_of(ContactRows& rows, SparseRows& E, double dt) {
+  const SparseRows drag = rows.rows().drag(dt);
+  E = rows.rows().matrix();
+  const Eigen::VectorXd velocity_rate = rows.rows().scaled_velocities() / dt;
+  if (drag.size() == 0) return {E * E.transpose(), E * velocity_rate};
+  const SparseRows dragged = E * drag;
+  return {dragged * E.transpose(), dragged * velocity_rate};
+}
+
+/// Flow through membranes, q = permeance (p_inside - p_around), in the rows of both sides of a stretch; into the bed
+/// there is none.
+void let_through(const ContactRows& rows, const std::vector<Contact>& contacts, double dt, SparseRows& S) {
+  for (std::size_t r = 0; r < rows.list().size(); ++r) {
+    const Contact& contact = contacts[rows.list()[r].contact];
+    if (rows.list()[r].says != Says::through || contact.on_bed || contact.membrane->permeance == 0) continue;
+    const auto inside = static_cast<Eigen::Index>(r), around = inside - 1;  // its row comes first
+    const double flow = contact.membrane->permeance * contact.stretch.length / dt;
+    S.coeffRef(inside, inside) += flow;
+    S.coeffRef(around, around) += flow;
+    S.coeffRef(inside, around) -= flow;
+    S.coeffRef(around, inside) -= flow;
+  }
 }
 
 /// Counts steps without a solution; throws when they are too many in a row.
@@ -295,21 +345,26 @@ void note(bool converged, double t, ConstraintWatch& watch) {
 /// One normal velocity, and one velocity where the fluid sticks; false if they were not found.
 bool join(double dt, std::vector<Contact>& contacts, Grids<2>& grids) {
   ContactRows rows(grids);
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].joined = rows.add(contacts, c, Direction::normal); contacts[c].joined && contacts[c].sticks())
-      rows.add(contacts, c, Direction::tangent);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    contacts[c].joined = rows.add(contacts, c, Says::normal);
+    if (!contacts[c].joined) continue;
+    if (!contacts[c].membrane->pore_pressure.empty()) rows.add(contacts, c, Says::through);
+    if (contacts[c].sticks()) rows.add(contacts, c, Says::tangent);
+  }
   Eigen::VectorXd guess(rows.list().size());
   for (std::size_t r = 0; r < rows.list().size(); ++r) {
-    const auto [c, direction] = rows.list()[r];
-    guess[r] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, direction);
+    const auto [c, says] = rows.list()[r];
+    guess[r] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, says);
   }
   for (const Contact& contact : contacts) forget_tractions(*contact.membrane);
   if (rows.list().empty()) return true;
   std::vector<bool> only_pushes;
   for (const ContactRows::Row& row : rows.list())
-    only_pushes.push_back(row.direction == Direction::normal && contacts[row.contact].on_bed);
-  const SparseRows E = rows.rows().matrix();
-  const auto [traction, converged] = solve(E, rows.rows().scaled_velocities() / dt, only_pushes, guess);
+    only_pushes.push_back(row.says == Says::normal && contacts[row.contact].on_bed);
+  SparseRows E;
+  System system = system_of(rows, E, dt);
+  let_through(rows, contacts, dt, system.S);
+  const auto [traction, converged] = solve(system, only_pushes, guess);
   apply_pressures(rows.rows(), E, traction, dt, grids);
   store(rows, traction, grids, contacts);
   return converged;
@@ -342,17 +397,18 @@ Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_r
 void rub(double dt, std::vector<Contact>& contacts, Grids<2>& grids, const std::vector<double>& last) {
   ContactRows rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].joined && contacts[c].rubs()) rows.add(contacts, c, Direction::tangent);
+    if (contacts[c].joined && contacts[c].rubs()) rows.add(contacts, c, Says::tangent);
   if (rows.list().empty()) return;
-  const SparseRows T = rows.rows().matrix(), S = T * T.transpose();
-  const Eigen::VectorXd slip = T * rows.rows().scaled_velocities();
+  SparseRows T;
+  const auto [S, slip_rate] = system_of(rows, T, dt);
+  const Eigen::VectorXd slip = dt * slip_rate;
   Eigen::VectorXd guess(S.rows()), most(S.rows());
   for (Eigen::Index r = 0; r < S.rows(); ++r) {
     const std::size_t c = rows.list()[static_cast<std::size_t>(r)].contact;
     most[r] = contacts[c].most_friction(slip[r]);
     guess[r] = std::clamp(last[c], -most[r], most[r]);
   }
-  const Eigen::VectorXd traction = solve_limited(S, slip / dt, most, guess);
+  const Eigen::VectorXd traction = solve_limited(S, slip_rate, most, guess);
   apply_pressures(rows.rows(), T, traction, dt, grids);
   store(rows, traction, grids, contacts);
 }
@@ -363,7 +419,7 @@ void join_interfaces(State<2>& state, Grids<2>& grids, double dt) {
   std::vector<Contact> contacts = find_contacts(state, grids);
   std::vector<double> last;  // tractions along the membrane, before they are forgotten
   for (const Contact& contact : contacts)
-    last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Direction::tangent));
+    last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Says::tangent));
   note(join(dt, contacts, grids), state.t, state.constraint_watch);
   rub(dt, contacts, grids, last);
   for (Grid<2>& grid : grids) impose_wall_velocity(grid);

@@ -78,6 +78,10 @@ class Rows {
   int count() const { return static_cast<int>(row_begin_.size()) - 1; }
   SparseRows matrix() const;
 
+  /// What the drag between soils and the water in their pores leaves of a step's impulses at the columns, implicitly as
+  /// in pores/pores: (1 + dt M^-1/2 C M^-1/2)^-1; adds the columns of their partners. Empty if nothing drags there.
+  SparseRows drag(double dt);
+
   /// M^1/2 v of the columns [kg^1/2 m/s].
   Eigen::VectorXd scaled_velocities() const;
 

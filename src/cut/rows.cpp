@@ -8,6 +8,7 @@
 #include "interface_constraint.hpp"
 #include "keep_sides.hpp"
 #include "model_drag.hpp"
+#include "seep.hpp"
 
 namespace geodrop {
 
@@ -29,6 +30,16 @@ Row<2> even_out_volumes_row(const Scene& scene) {
           [](State<2>& s, const Grids<2>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
 }
 
+Row<2> seep_row(const Scene& scene) {
+  return {"seep",
+          Data::cut_cells | Data::position | Data::volume_ratio | Data::membranes | Data::membrane_position |
+              Data::water_traction,
+          Data::mass | Data::velocity,
+          std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                      [](const MembraneSpec& membrane) { return membrane.permittivity > 0; }),
+          [](State<2>& s, const Grids<2>& f, const StepContext& step) { seep(s, f, step.dt); }};
+}
+
 Row<2> model_drag_row(const Scene& scene) {
   return {"model_drag", Data::membrane_position | Data::membrane_velocity | Data::velocity | Data::mass,
           Data::membrane_load, any_model_drag(scene),
@@ -42,20 +53,21 @@ Row<2> interface_force_row(const Scene& scene) {
 
 Row<2> join_interfaces_row(const Scene& scene) {
   return {"join_interfaces",
-          Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth,
+          Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth |
+              Data::pore_space,
           Data::nodal_velocity | Data::velocity_change | Data::water_traction, has_sharp_interface(scene),
           [](State<2>& s, Grids<2>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
 }
 
 Row<2> fill_other_sides_row(const Scene& scene) {
-  return {"fill_other_sides", Data::cut_cells, Data::nodal_velocity,
+  return {"fill_other_sides", Data::cut_cells | Data::pore_space | Data::nodal_sums, Data::nodal_velocity,
           has_sharp_interface(scene) && any_body_shifts(scene),
           [](const State<2>& s, Grids<2>& f, const StepContext&) { fill_other_sides(s, f); }};
 }
 
 Row<2> interface_rate_row(const Scene& scene) {
-  return {"interface_rate", Data::cut_cells | Data::cell_volume | Data::nodal_velocity, Data::volume_rate,
-          has_sharp_interface(scene),
+  return {"interface_rate", Data::cut_cells | Data::cell_volume | Data::nodal_velocity | Data::pore_space,
+          Data::volume_rate, has_sharp_interface(scene),
           [](const State<2>&, Grids<2>& f, const StepContext&) { update_interface_rates(f); }};
 }
 

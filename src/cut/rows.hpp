@@ -8,6 +8,7 @@ namespace geodrop {
 Row<2> cut_cells_row(const Scene& scene);
 Row<2> interface_pressure_row(const Scene& scene);
 Row<2> even_out_volumes_row(const Scene& scene);
+Row<2> seep_row(const Scene& scene);
 Row<2> model_drag_row(const Scene& scene);
 Row<2> interface_force_row(const Scene& scene);
 Row<2> join_interfaces_row(const Scene& scene);

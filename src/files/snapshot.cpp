@@ -98,6 +98,8 @@ void append_membrane(const Membrane<Dim>& membrane, std::uint32_t index, Membran
     out.fields[2].values.push_back(membrane.strength > 0 ? narrow(membrane.tension[s] / membrane.strength) : none);
     out.fields[3].values.push_back(inside.empty() ? none : narrow(0.5 * (inside[s] + inside[(s + 1) % nodes])));
     out.fields[4].values.push_back(around.empty() ? none : narrow(around[s]));
+    out.fields[5].values.push_back(membrane.pore_pressure.empty() ? none : narrow(membrane.pore_pressure[s]));
+    out.fields[6].values.push_back(membrane.seepage.empty() ? none : narrow(membrane.seepage[s]));
     out.membrane.push_back(index);
   }
 }
@@ -141,11 +143,9 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   Snapshot snapshot;
   snapshot.t = state.t;
   snapshot.particles = copy_particles(state, materials);
-  snapshot.membranes.fields = {{"tension", {}, {}},
-                               {"strain", {}, {}},
-                               {"utilisation", {}, {}},
-                               {"contents_pressure", {}, {}},
-                               {"water_pressure", {}, {}}};
+  snapshot.membranes.fields = {
+      {"tension", {}, {}},        {"strain", {}, {}},        {"utilisation", {}, {}}, {"contents_pressure", {}, {}},
+      {"water_pressure", {}, {}}, {"pore_pressure", {}, {}}, {"seepage", {}, {}}};
   for (std::size_t m = 0; m < state.membranes.size(); ++m)
     if (state.membranes[m].field != waiting)
       append_membrane(state.membranes[m], static_cast<std::uint32_t>(m), snapshot.membranes);

@@ -44,7 +44,7 @@ template <int Dim>
 void add_constants(const Membrane<Dim>& m, Hasher& hash) {
   hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
            m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.roughness,
-           m.drag_coefficient, m.fluid_density);
+           m.drag_coefficient, m.fluid_density, m.permeance);
 }
 
 template <int Dim>
@@ -91,7 +91,8 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
     case Data::membrane_load:
       return hash.add(membrane.load);
     case Data::water_traction:
-      return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear);
+      return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear, membrane.pore_pressure,
+                      membrane.seepage);
     default:
       return;
   }

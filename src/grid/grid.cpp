@@ -151,6 +151,9 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
     if (fields[b] == field) bodies.push_back(scene.bodies[b]);
   Grid<Dim> grid;
   grid.field = field;
+  for (const BodySpec& soil : bodies)
+    for (std::size_t b = 0; b < fields.size() && !soil.saturated_by.empty(); ++b)
+      if (scene.bodies[b].name == soil.saturated_by) grid.pore_water = fields[b];
   grid.light_mass = light_share * lightest_density(scene, bodies) * std::pow(scene.grid.spacing, Dim);
   const std::set<double> moduli = cell_moduli(scene, bodies);
   if (!moduli.empty()) grid.largest_modulus = *moduli.rbegin();

@@ -2,6 +2,7 @@
 
 #include "blocks.hpp"
 #include "cell_pressure.hpp"
+#include "neighbourhood.hpp"
 #include "seams.hpp"
 
 namespace geodrop {
@@ -207,6 +208,20 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
 }  // namespace
 
 template <int Dim>
+Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node) {
+  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, node);
+  if (mass >= light) return grid.velocity[flat];
+  Vec4 momentum{};
+  double around = 0;
+  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) {
+    momentum += grid.sum[other][3] * grid.velocity[other];
+    around += grid.sum[other][3];
+  });
+  const double kept = mass / light;
+  return around > 0 ? kept * grid.velocity[flat] + (1 - kept) / around * momentum : grid.velocity[flat];
+}
+
+template <int Dim>
 void fold_walls(Grid<Dim>& grid) {
   for_each_array<grid_role::folded>(grid, [&](auto& values) { fold_field(grid, values); });
 }
@@ -233,11 +248,12 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
   impose_wall_velocity(grid);
 }
 
-#define GEODROP_INSTANTIATE(D)                                                \
-  template double light_mass<D>(const Grid<D>&, const std::array<int, D>&);   \
-  template double node_measure<D>(const Grid<D>&, const std::array<int, D>&); \
-  template void impose_wall_velocity<D>(Grid<D>&);                            \
-  template void fold_walls<D>(Grid<D>&);                                      \
+#define GEODROP_INSTANTIATE(D)                                                       \
+  template double light_mass<D>(const Grid<D>&, const std::array<int, D>&);          \
+  template double node_measure<D>(const Grid<D>&, const std::array<int, D>&);        \
+  template Vec4 carried_velocity<D>(const Grid<D>&, int, const std::array<int, D>&); \
+  template void impose_wall_velocity<D>(Grid<D>&);                                   \
+  template void fold_walls<D>(Grid<D>&);                                             \
   template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -29,6 +29,11 @@ void fold_walls(Grid<Dim>& grid);
 template <int Dim>
 void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
 
+/// Velocity at a node as impulses see it [m/s]: that of a node of small mass counts by the part of an impulse that it
+/// takes, that of its neighbourhood by the rest. Rates of volume from it are the adjoint of update_momentum.
+template <int Dim>
+Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node);
+
 /// Holds the nodal velocity at the walls, ghosts included.
 template <int Dim>
 void impose_wall_velocity(Grid<Dim>& grid);

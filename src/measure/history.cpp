@@ -92,10 +92,12 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     if (scene.membranes[m].interface != Interface::sharp) continue;
     const std::string& name = scene.membranes[m].name;
+    const std::string& pore_water = find_body(scene, scene.membranes[m].body)->saturated_by;
     const WaterForce force = state ? water_force(state->membranes[m]) : WaterForce{};
     row.add_vector(name + ".pressure_force", "N_m", force.pressure, 2);
     row.add_vector(name + ".friction_force", "N_m", force.friction, 2);
-    row.add(name + ".strays_m2", state ? strays_inside(*state, state->membranes[m]) : 0);
+    if (scene.membranes[m].permittivity > 0) row.add(name + ".seepage_m2_s", state ? seepage(state->membranes[m]) : 0);
+    row.add(name + ".strays_m2", state ? strays_inside(*state, state->membranes[m], pore_water) : 0);
   }
 }
 void list_sharp(HistoryRow&, const Scene&, const State<3>*) {}

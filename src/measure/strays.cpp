@@ -7,11 +7,11 @@
 
 namespace geodrop {
 
-double strays_inside(const State<2>& state, const Membrane<2>& membrane) {
+double strays_inside(const State<2>& state, const Membrane<2>& membrane, const std::string& pore_water) {
   const MembraneMeasures<2> around = measure(membrane);
   double volume = 0;
   for (const Body<2>& body : state.bodies) {
-    if (body.name == membrane.body || body.field == waiting) continue;
+    if (body.name == membrane.body || body.name == pore_water || body.field == waiting) continue;
     volume += fixed_order_sum<double>(body.size(), [&](double& sum, std::size_t p) {
       const Vec<2> x = vector_at(body.x, p);
       const bool in_box = (x.array() > around.lower.array()).all() && (x.array() < around.upper.array()).all();

@@ -15,4 +15,7 @@ struct WaterForce {
 /// Sums of the tractions of its segments: the pressure pushes inwards, the friction along.
 WaterForce water_force(const Membrane<2>& membrane);
 
+/// What flows out of the pores inside through a membrane, in the step before [m2/s].
+double seepage(const Membrane<2>& membrane);
+
 }  // namespace geodrop

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "cut/interface_cells.hpp"
 #include "grid/blocks.hpp"
 #include "grid/cell_pressure.hpp"
 #include "grid/momentum.hpp"
 #include "grid/neighbourhood.hpp"
 #include "grid/seams.hpp"
+#include "scene/needs.hpp"
 #include "transfer/slabs.hpp"
 
 namespace geodrop {
@@ -19,15 +21,14 @@ namespace {
 
 constexpr double least_porosity = 0.01;
 
-/// Calls f(field of a soil, field of its water) once for each pair.
+/// Calls f(soil) once for each pair of fields, of a soil and of its water.
 template <class F>
 void for_each_pair(const std::vector<PoreSoil>& soils, F f) {
   for (std::size_t s = 0; s < soils.size(); ++s) {
     const auto same = [&](const PoreSoil& other) {
       return other.field == soils[s].field && other.water == soils[s].water;
     };
-    if (std::find_if(soils.begin(), soils.end(), same) == soils.begin() + static_cast<std::ptrdiff_t>(s))
-      f(soils[s].field, soils[s].water);
+    if (std::find_if(soils.begin(), soils.end(), same) == soils.begin() + static_cast<std::ptrdiff_t>(s)) f(soils[s]);
   }
 }
 
@@ -59,12 +60,23 @@ double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, cons
   return sum;
 }
 
+/// Share of the room at a node of the water that grains have. In a bag the room is what both have: particles on one
+/// side of an outline fill the splines of the nodes around in part only.
+template <int Dim>
+double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, bool bagged, int flat,
+                 const std::array<int, Dim>& node) {
+  if (!bagged) return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+  const double grains = grid.sum[flat][3] / grain_density, water = around.sum[flat][2];
+  return grains > 0 ? grains / (grains + water) : 0.0;
+}
+
 /// Porosity, resistance and lightness of grains at the nodes of the water.
 template <int Dim>
-void weigh_nodes(const Grid<Dim>& grid, Grid<Dim>& around) {
+void weigh_nodes(const Grid<Dim>& grid, double grain_density, Grid<Dim>& around) {
+  const bool bagged = Dim == 2 && grid.outline.size() > 0;
   for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
-      const double grains = at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+      const double grains = grains_at<Dim>(grid, around, grain_density, bagged, flat, node);
       const double n = std::max(0.0, 1 - grains);
       around.pore_share[flat] = n;
       // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
@@ -101,6 +113,34 @@ void push_grains(Grid<Dim>& grid, const Grid<Dim>& around) {
   });
 }
 
+/// What the parts of cells beside a membrane change of that, for both.
+void push_beside_membrane(Grid<2>& grid, Grid<2>& around) {
+  for_each_interface_force(around, [&](int node, const std::array<double, 2>& force) {
+    const double n = around.pore_share[node];
+    for (int a = 0; a < 2; ++a) {
+      around.force[node][a] += n * force[a];
+      if (n < 1) grid.force[node][a] += (1 - n) * force[a];
+    }
+  });
+}
+
+/// n v_w + (1 - n) v_s. In a bag as impulses see both: with the velocities of nodes of small mass, those beside a
+/// membrane, a fifth of what seeped through it was lost.
+template <int Dim>
+void mix_velocities(const Grid<Dim>& grid, Grid<Dim>& around) {
+  const bool bagged = grid.outline.size() > 0;
+  for_each_active_row(around, [&](int begin, int count, std::array<int, Dim> node) {
+    for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
+      const double n = around.sum[flat][3] > 0 ? around.pore_share[flat] : 1.0;
+      if (bagged && (around.sum[flat][3] > 0 || grid.sum[flat][3] > 0))
+        around.mixture_velocity[flat] = around.pore_share[flat] * carried_velocity<Dim>(around, flat, node) +
+                                        (1 - around.pore_share[flat]) * carried_velocity<Dim>(grid, flat, node);
+      else
+        around.mixture_velocity[flat] = n * around.velocity[flat] + (1 - n) * grid.velocity[flat];
+    }
+  });
+}
+
 }  // namespace
 
 double PoreSoil::resistance(double n) const {
@@ -116,17 +156,15 @@ std::vector<PoreSoil> pore_soils(const Scene& scene) {
                                          [&](const BodySpec& body) { return body.name == name; }) -
                             scene.bodies.begin());
   };
-  constexpr double standard_gravity = 9.81;  // of the conductivity, where the scene has none
-  const double g = scene.gravity.back() < 0 ? -scene.gravity.back() : standard_gravity;
   std::vector<PoreSoil> soils;
   for (const BodySpec& body : scene.bodies) {
     if (body.saturated_by.empty()) continue;
     const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, body.material)->model);
     const int water = number(body.saturated_by);
-    const auto& fluid = std::get<NewtonianSpec>(find_material(scene, scene.bodies[water].material)->model);
     const CoupledSpec& pores = *soil.coupled();
     soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
-                     pores.porosity, pores.hydraulic_conductivity, pores.permeability, fluid.density * g});
+                     pores.porosity, pores.hydraulic_conductivity, pores.permeability,
+                     water_unit_weight(scene, scene.bodies[water])});
   }
   return soils;
 }
@@ -164,8 +202,8 @@ double pore_wave_speed(const Scene& scene) {
 
 template <int Dim>
 void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Grids<Dim>& grids) {
-  for_each_pair(soils, [&](int field, int water) {
-    Grid<Dim>& grid = grids[field];
+  for_each_pair(soils, [&](const PoreSoil& pair) {
+    Grid<Dim>&grid = grids[pair.field], &around = grids[pair.water];
     for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
       for (const PoreSoil& soil : soils)
         if (&body == &state.bodies[soil.body]) sum_range(soil, body, grid, begin, end);
@@ -174,25 +212,27 @@ void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Gri
       sum_over_seam(grid.layout, axis, grid.grain_volume);
       sum_over_seam(grid.layout, axis, grid.drag_resistance);
     });
-    for_each_active_row(grids[water], [&](int begin, int count, const auto&) {
-      std::copy_n(grid.grain_volume.begin() + begin, count, grids[water].occupied.begin() + begin);
+    for_each_active_row(around, [&](int begin, int count, const auto&) {
+      std::copy_n(grid.grain_volume.begin() + begin, count, around.occupied.begin() + begin);
     });
   });
 }
 
 template <int Dim>
 void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
-  for_each_pair(soils, [&](int field, int water) {
-    weigh_nodes(grids[field], grids[water]);
-    if (grids[water].largest_modulus > 0) soften_light_cells(grids[water], dt);
-    push_grains(grids[field], grids[water]);
+  for_each_pair(soils, [&](const PoreSoil& soil) {
+    Grid<Dim>&grid = grids[soil.field], &around = grids[soil.water];
+    weigh_nodes(grid, soil.grain_density, around);
+    if (around.largest_modulus > 0) soften_light_cells(around, dt);
+    push_grains(grid, around);
+    if constexpr (Dim == 2) push_beside_membrane(grid, around);
   });
 }
 
 template <int Dim>
 void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
-  for_each_pair(soils, [&](int field, int water) {
-    Grid<Dim>&around = grids[water], &grid = grids[field];
+  for_each_pair(soils, [&](const PoreSoil& soil) {
+    Grid<Dim>&around = grids[soil.water], &grid = grids[soil.field];
     for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>&) {
       for (int flat = begin; flat < begin + count; ++flat) {
         const double of_water = around.sum[flat][3], of_soil = grid.sum[flat][3], c = around.node_drag[flat];
@@ -215,14 +255,9 @@ void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& 
 
 template <int Dim>
 void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
-  for_each_pair(soils, [&](int field, int water) {
-    Grid<Dim>&around = grids[water], &grid = grids[field];
-    for_each_active_row(around, [&](int begin, int count, const auto&) {
-      for (int flat = begin; flat < begin + count; ++flat) {
-        const double n = around.sum[flat][3] > 0 ? around.pore_share[flat] : 1.0;
-        around.mixture_velocity[flat] = n * around.velocity[flat] + (1 - n) * grid.velocity[flat];
-      }
-    });
+  for_each_pair(soils, [&](const PoreSoil& soil) {
+    Grid<Dim>&around = grids[soil.water], &grid = grids[soil.field];
+    mix_velocities(grid, around);
     std::swap(around.velocity, around.mixture_velocity);
     cell_volume_rate(around);
     std::swap(around.velocity, around.mixture_velocity);

@@ -48,6 +48,12 @@ bool saturates(const Scene& scene, const std::string& body) {
                      [&](const BodySpec& soil) { return soil.saturated_by == body; });
 }
 
+double water_unit_weight(const Scene& scene, const BodySpec& water) {
+  constexpr double standard_gravity = 9.81;  // of the conductivity, where the scene has none
+  const double g = scene.gravity.back() < 0 ? -scene.gravity.back() : standard_gravity;
+  return std::get<NewtonianSpec>(find_material(scene, water.material)->model).density * g;
+}
+
 double contents_friction(const Scene& scene, const MembraneSpec& membrane) {
   constexpr double share_of_angle = 2.0 / 3;  // of soil on geotextile, as is usual in design
   if (membrane.contents_friction >= 0) return membrane.contents_friction;

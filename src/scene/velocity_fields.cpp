@@ -12,11 +12,14 @@ std::string body_of_membrane(const Scene& scene, const std::string& name) {
   return {};
 }
 
-bool parts(const Scene& scene, const std::string& body) {
-  const bool sharp = std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+bool in_sharp_membrane(const Scene& scene, const std::string& body) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
     return membrane.body == body && membrane.interface == Interface::sharp;
   });
-  if (sharp) return true;
+}
+
+bool parts(const Scene& scene, const std::string& body) {
+  if (in_sharp_membrane(scene, body)) return true;
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const ContactSpec& contact) {
     const std::string one = body_of_membrane(scene, contact.between[0]);
     const std::string other = body_of_membrane(scene, contact.between[1]);
@@ -24,11 +27,18 @@ bool parts(const Scene& scene, const std::string& body) {
   });
 }
 
+/// Whether a body is the water in the pores of a soil in a sharp membrane.
+bool flows_in_bag(const Scene& scene, const std::string& body) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& soil) {
+    return soil.saturated_by == body && in_sharp_membrane(scene, soil.name);
+  });
+}
+
 }  // namespace
 
 std::vector<int> velocity_fields(const Scene& scene) {
   std::vector<int> field(scene.bodies.size(), 0);
-  const auto part = [&](const BodySpec& body) { return parts(scene, body.name); };
+  const auto part = [&](const BodySpec& body) { return parts(scene, body.name) || flows_in_bag(scene, body.name); };
   int next = std::all_of(scene.bodies.begin(), scene.bodies.end(), part) ? 0 : 1;
   for (std::size_t b = 0; b < field.size(); ++b)
     if (part(scene.bodies[b])) field[b] = next++;

@@ -171,6 +171,11 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
     membrane.water_pressure.assign(segments, 0.0);
     membrane.water_shear.assign(segments, 0.0);
     if (!spec.bed.empty()) membrane.bed_shear.assign(segments, 0.0);
+    if (const std::string& water = find_body(scene, spec.body)->saturated_by; !water.empty()) {
+      membrane.permeance = spec.permittivity / water_unit_weight(scene, *find_body(scene, water));
+      membrane.pore_pressure.assign(segments, 0.0);
+      membrane.seepage.assign(segments, 0.0);
+    }
   }
   return membrane;
 }

@@ -72,11 +72,12 @@ auto members(Part& part) {
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length, half_size, x,
            v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed, bed_friction, shear,
-           wall_friction, roughness, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear] = part;
+           wall_friction, roughness, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear, permeance,
+           pore_pressure, seepage] = part;
     return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length,
                     half_size, x, v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed,
                     bed_friction, shear, wall_friction, roughness, drag_coefficient, fluid_density, water_pressure,
-                    water_shear, bed_shear);
+                    water_shear, bed_shear, permeance, pore_pressure, seepage);
   } else if constexpr (is_tension_gauge<Plain>) {
     auto& [windows, sums, now, now_at, peak, peak_time, peak_at] = part;
     return std::tie(windows, sums, now, now_at, peak, peak_time, peak_at);

@@ -170,10 +170,11 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
   part.require(alike(membrane, built, &M::field), "another velocity field");
   part.require(alike(membrane, built, &M::closed, &M::sharp, &M::axial_stiffness, &M::strength, &M::contents_friction,
                      &M::gauge_length, &M::half_size, &M::bed_friction, &M::shear, &M::wall_friction, &M::roughness,
-                     &M::drag_coefficient, &M::fluid_density),
+                     &M::drag_coefficient, &M::fluid_density, &M::permeance),
                "other settings");
   part.require(alike(membrane, built, &M::x, &M::v, &M::mass, &M::rest_length, &M::strain, &M::tension, &M::load,
-                     &M::share, &M::contents_pressure, &M::water_pressure, &M::water_shear, &M::bed_shear) &&
+                     &M::share, &M::contents_pressure, &M::water_pressure, &M::water_shear, &M::bed_shear,
+                     &M::pore_pressure, &M::seepage) &&
                    membrane.gauge.sums.size() == built.gauge.sums.size(),
                "another number of nodes or of their quantities");
   part.require(all_finite(membrane), "a value of a node that is not finite");

@@ -70,7 +70,9 @@ std::pair<double, double> flow_and_rates(const Grid<2>& grid) {
     if (part.host < 0) continue;
     for (int n = 0; n < 9; ++n) {
       const int node = part.flat + n % 3 - 1 + (n / 3 - 1) * grid.layout.stride[1];
-      for (int a = 0; a < 2; ++a) flow += part.slope[n][a] * grid.velocity[node][a];
+      const int width = grid.layout.stride[1];
+      const Vec4 v = carried_velocity<2>(grid, node, {node % width, node / width});
+      for (int a = 0; a < 2; ++a) flow += part.slope[n][a] * v[a];
     }
     rates += grid.cell_volume[part.flat] * grid.volume_rate[part.flat];
   }

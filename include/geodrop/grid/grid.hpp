@@ -245,6 +245,7 @@ template <int Dim>
 struct Grid : GridFields {
   GridLayout<Dim> layout;
   int field = 0;                       ///< bodies, membranes and tracers of this number move with it
+  int pore_water = -1;                 ///< field of the water in the pores of its soil; -1: none flows there
   Array<std::uint32_t> active_blocks;  ///< sorted; blocks that particles may touch until the next sort
   /// Nodes below it (on a graded grid: times the widths of their splines) share their impulse with their neighbours,
   /// see grid/momentum [kg].

@@ -65,6 +65,7 @@ struct MembraneSpec {
   double drag_coefficient = 0;  ///< C_d of a drag that the fluid does not feel, on the width across the motion [-]
   std::string bed;              ///< body around that a sharp membrane rubs on; empty: none
   double bed_friction = 0;      ///< on it [-]
+  double permittivity = 0;      ///< psi: flow per area and head [1/s]; 0: tight
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };

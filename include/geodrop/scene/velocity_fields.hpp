@@ -8,7 +8,7 @@
 namespace geodrop {
 
 /// Numbers from 0 on, one for each body of the scene. Bodies that a contact lets slip on or part from another body have
-/// a field each, and so has a body with a sharp interface; all others share one, number 0.
+/// a field each, and so has a body with a sharp interface, and the water in its pores; all others share one, number 0.
 std::vector<int> velocity_fields(const Scene& scene);
 
 /// The first fluid outside of all sharp membranes; null if there is none.

@@ -91,6 +91,11 @@ struct Membrane {
   Array<double> water_shear;     ///< likewise, traction on the membrane along it, from node to node [Pa]
   Array<double> bed_shear;       ///< the part of it that is friction on the bed [Pa]; empty without a bed
 
+  // Of a sharp membrane whose body is a soil with water in its pores:
+  double permeance = 0;         ///< flow through it per area and pressure difference, psi / gamma_w [m/(s Pa)]
+  Array<double> pore_pressure;  ///< segments: of the water inside on it [Pa]; else empty
+  Array<double> seepage;        ///< segments: flow through it per area, outwards [m/s]
+
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }
   bool slides() const { return !share.empty(); }

@@ -52,6 +52,30 @@ void check_shift(const Scene& scene, const BodySpec& body, const std::string& ke
     report.add(key + ".shift", "true on a grid of simplices", "false, unless the basis is bspline2, gimp or linear");
 }
 
+/// In a sharp membrane the water in the pores is a body of its own, apart from that around.
+void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& water, const std::string& key,
+                  Report& report) {
+  const auto bagged = [&](const BodySpec& body) {
+    return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+      return membrane.interface == Interface::sharp && membrane.body == body.name;
+    });
+  };
+  if (bagged(water))
+    return report.add(key + ".saturated_by", '"' + water.name + "\", the body of a sharp membrane",
+                      "the soil as the body of that membrane");
+  if (!bagged(soil)) return;
+  if (soil.pressure != PressureSupport::particle)
+    report.add(key + ".pressure", "the pressure of cells for a coupled soil in a sharp membrane",
+               "\"particle\" there: its pore water has that of cells");
+  const bool covers = water.shape == soil.shape && water.minus == soil.minus;
+  const auto soils = std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                                   [&](const BodySpec& other) { return other.saturated_by == water.name; });
+  if (!covers || soils > 1)
+    report.add(key + ".saturated_by",
+               '"' + water.name + (covers ? "\", which fills the pores of another soil, too" : "\" of another shape"),
+               "a body of water of its own for a soil in a sharp membrane, of the same shape and minus");
+}
+
 /// A coupled soil has a body of water in its pores, and nothing else has.
 void check_pores(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
@@ -67,12 +91,7 @@ void check_pores(const Scene& scene, const BodySpec& body, const std::string& ke
                  "a body with pressure = \"cell\"");
     if (is_simplex(scene.grid.basis))
       report.add(key + ".saturated_by", "on a grid of simplices", "a coupled soil with another basis");
-    const bool bagged = std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
-      return membrane.interface == Interface::sharp && (membrane.body == body.name || membrane.body == water.name);
-    });
-    if (bagged)  // cut cells know one body on each side
-      report.add(key + ".saturated_by", '"' + water.name + "\" in a sharp membrane", "a coupled soil without one");
-    return;
+    return check_bagged(scene, body, water, key, report);
   }
   report.add(
       key + ".saturated_by",

@@ -92,6 +92,14 @@ void check_fluid_around(const Scene& scene, const MembraneSpec& membrane, const 
     report.add(key + ".drag_coefficient", to_text(membrane.drag_coefficient) + " without a fluid around", allowed);
 }
 
+/// Water flows through a membrane out of the pores of a soil, or into them.
+void check_permittivity(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (!(membrane.permittivity > 0) || !body || !body->saturated_by.empty()) return;
+  report.add(key + ".permittivity", to_text(membrane.permittivity) + " around \"" + body->name + '"',
+             "permittivity where the body is a soil with drainage = \"coupled\"; else 0, tight");
+}
+
 /// Both sides of a sharp interface have pressures of cells, and cells are knot spans.
 void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
@@ -113,7 +121,7 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     refuse("on an open membrane", "sharp with closed = true");
   else if (sharp(membrane.body) > 1)
     refuse("on a second membrane of \"" + membrane.body + '"', "one sharp membrane for each body");
-  else if (body && body->pressure != PressureSupport::cell)
+  else if (body && body->pressure != PressureSupport::cell && body->saturated_by.empty())
     refuse("around a body whose pressure is not that of cells",
            "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
   else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
@@ -136,6 +144,7 @@ void check_membranes(const Scene& scene, Report& report) {
     check_on_outline(scene, membrane, key, report);
     check_contents(scene, membrane, key, report);
     check_bed(scene, membrane, key, report);
+    check_permittivity(scene, membrane, key, report);
     check_fluid_around(scene, membrane, key, report);
     if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }

@@ -1,0 +1,125 @@
+#include "seep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "outline_pieces.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Of the particles that share one pressure.
+struct Pool {
+  double mass = 0, volume = 0;          ///< [kg], [m3]
+  std::array<double, 2> momentum{};     ///< [kg m/s]
+  double given = 0, taken = 0;          ///< mass [kg]
+  std::array<double, 2> taken_speed{};  ///< momentum that came with it [kg m/s]
+};
+
+/// The cells of a field that share a pressure, by their host, and what their particles hold.
+class Pools {
+ public:
+  Pools(const Grid<2>& grid, Body<2>& body) : grid_(grid), body_(body) {
+    for (const PartCell& part : grid.part_cells)
+      if (part.host >= 0) host_.emplace_back(part.flat, part.host);
+    std::sort(host_.begin(), host_.end());
+    for_each_particle([&](std::size_t p, Pool& pool) {
+      pool.mass += body.mass[p];
+      pool.volume += body.volume(p);
+      for (int a = 0; a < 2; ++a) pool.momentum[a] += body.mass[p] * body.v[a][p];
+    });
+  }
+
+  /// That of a cell; null if nothing is in it.
+  Pool* of(int flat) {
+    const int host = host_of(flat);
+    const auto found = pools_.find(host);
+    return host >= 0 && found != pools_.end() && found->second.mass > 0 ? &found->second : nullptr;
+  }
+
+  /// Particles give a share of their mass each, and take a share of what comes by theirs.
+  void hand_over() {
+    for_each_particle([&](std::size_t p, const Pool& pool) {
+      const double kept = body_.mass[p] * (1 - pool.given / pool.mass), part = body_.mass[p] / pool.mass;
+      const double mass = kept + part * pool.taken;
+      for (int a = 0; a < 2; ++a) body_.v[a][p] = (kept * body_.v[a][p] + part * pool.taken_speed[a]) / mass;
+      body_.mass[p] = mass;
+    });
+  }
+
+ private:
+  int host_of(int flat) const {
+    const auto place = std::lower_bound(host_.begin(), host_.end(), std::pair(flat, -1));
+    return place != host_.end() && place->first == flat ? place->second : -1;
+  }
+
+  /// Particles of a cell stand together for the most part.
+  template <class F>
+  void for_each_particle(F f) {
+    int last = -1, host = -1;
+    for (std::size_t p = 0; p < body_.size(); ++p) {
+      const int flat = grid_.layout.index({grid_.layout.base(0, body_.x[0][p]), grid_.layout.base(1, body_.x[1][p])});
+      if (flat != last) host = host_of(last = flat);
+      if (host >= 0) f(p, pools_[host]);
+    }
+  }
+
+  const Grid<2>& grid_;
+  Body<2>& body_;
+  std::vector<std::pair<int, int>> host_;  ///< of each part, by flat index
+  std::map<int, Pool> pools_;              ///< by host
+};
+
+/// Volume that flows outwards through each cell in a step [m3].
+std::map<int, double> flows(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                            double dt) {
+  std::map<int, double> out;
+  for (const CutCells::Piece& piece : cells.pieces) {
+    const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
+    const double length = std::hypot(membrane.x[0][to] - membrane.x[0][from], membrane.x[1][to] - membrane.x[1][from]);
+    out[flat_of(layout, cells, piece.cell)] += dt * membrane.seepage[from] * (piece.to - piece.from) * length;
+  }
+  return out;
+}
+
+void give(Pool& from, Pool& to, double volume) {
+  constexpr double most = 0.5;  // of what is left
+  const double mass = std::min(volume * from.mass / from.volume, most * (from.mass - from.given));
+  from.given += mass;
+  to.taken += mass;
+  for (int a = 0; a < 2; ++a) to.taken_speed[a] += mass * from.momentum[a] / from.mass;
+}
+
+Body<2>* fluid_of(State<2>& state, int field) {
+  const auto found = std::find_if(state.bodies.begin(), state.bodies.end(), [&](const Body<2>& body) {
+    return body.field == field && std::holds_alternative<Newtonian>(body.material);
+  });
+  return found == state.bodies.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void seep(State<2>& state, const Grids<2>& grids, double dt) {
+  for (const Membrane<2>& membrane : state.membranes) {
+    if (!acts_sharply(membrane) || membrane.permeance == 0) continue;
+    const Grid<2>& grid = grids[membrane.field];
+    Body<2>*const water = fluid_of(state, grid.pore_water), *const around = fluid_of(state, 0);
+    if (!water || !around) continue;
+    Pools inside(grids[grid.pore_water], *water), outside(grids.front(), *around);
+    for (const auto& [flat, volume] : flows(grid.layout, membrane, grid.outline, dt)) {
+      Pool *const in = inside.of(flat), *const out = outside.of(flat);
+      if (!in || !out) continue;
+      if (volume > 0)
+        give(*in, *out, volume);
+      else
+        give(*out, *in, -volume);
+    }
+    inside.hand_over();
+    outside.hand_over();
+  }
+}
+
+}  // namespace geodrop
