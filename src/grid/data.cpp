@@ -45,6 +45,17 @@ void add_constants(const Membrane<Dim>& m, Hasher& hash) {
   hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
            m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.roughness,
            m.drag_coefficient, m.fluid_density);
+  if constexpr (Dim == 3) {
+    const auto& t = m.triangles;
+    hash.add(t.fabric, t.poisson_ratio, t.weft_stiffness, t.weft_strength, t.mass_per_area, t.gauge_pressure, t.corner,
+             t.inverse_rest, t.rest_area);
+  }
+}
+
+template <int Dim>
+void add_tension(const Membrane<Dim>& m, Hasher& hash) {
+  hash.add(m.strain, m.tension, m.gauge);
+  if constexpr (Dim == 3) hash.add(m.triangles.cross_tension);
 }
 
 template <int Dim>
@@ -85,7 +96,7 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
     case Data::membrane_velocity:
       return hash.add(membrane.v);
     case Data::membrane_tension:
-      return hash.add(membrane.strain, membrane.tension, membrane.gauge);
+      return add_tension(membrane, hash);
     case Data::membrane_cloth:
       return hash.add(membrane.rest_length, membrane.mass, membrane.contents_pressure);
     case Data::membrane_load:

@@ -29,6 +29,10 @@ inline constexpr bool is_membrane = false;
 template <int Dim>
 inline constexpr bool is_membrane<Membrane<Dim>> = true;
 template <class T>
+inline constexpr bool is_membrane_triangles = false;
+template <int Dim>
+inline constexpr bool is_membrane_triangles<MembraneTriangles<Dim>> = true;
+template <class T>
 inline constexpr bool is_tension_gauge = false;
 template <int Dim>
 inline constexpr bool is_tension_gauge<TensionGauge<Dim>> = true;
@@ -72,11 +76,19 @@ auto members(Part& part) {
   } else if constexpr (is_membrane<Plain>) {
     auto& [name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length, half_size, x,
            v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed, bed_friction, shear,
-           wall_friction, roughness, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear] = part;
+           wall_friction, roughness, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear, triangles] =
+        part;
     return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length,
                     half_size, x, v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed,
                     bed_friction, shear, wall_friction, roughness, drag_coefficient, fluid_density, water_pressure,
-                    water_shear, bed_shear);
+                    water_shear, bed_shear, triangles);
+  } else if constexpr (std::is_same_v<Plain, MembraneTriangles<2>>) {
+    return std::tie();
+  } else if constexpr (is_membrane_triangles<Plain>) {
+    auto& [fabric, poisson_ratio, weft_stiffness, weft_strength, mass_per_area, gauge_pressure, corner, inverse_rest,
+           rest_area, cross_tension] = part;
+    return std::tie(fabric, poisson_ratio, weft_stiffness, weft_strength, mass_per_area, gauge_pressure, corner,
+                    inverse_rest, rest_area, cross_tension);
   } else if constexpr (is_tension_gauge<Plain>) {
     auto& [windows, sums, now, now_at, peak, peak_time, peak_at] = part;
     return std::tie(windows, sums, now, now_at, peak, peak_time, peak_at);

@@ -17,7 +17,7 @@ SectionOf<Shape> shape_section() {
       "shape of a body", "",
       "An inline table; `type` says which keys it has.", {
       key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipse", EllipseShape{}}, {"polygon", PolygonShape{}}, {"half_plane", HalfPlaneShape{}}}, required, "which shape").in(2),
-      key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipsoid", EllipseShape{}}, {"half_space", HalfPlaneShape{}}}, required, "which shape").in(3),
+      key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipsoid", EllipseShape{}}, {"half_space", HalfPlaneShape{}}, {"inside", InsideShape{}}}, required, "which shape; inside: what a membrane encloses as it is drawn").in(3),
       key("lower", &BoxShape::lower, "m", required, any, "lower corner").only("type=box"),
       key("upper", &BoxShape::upper, "m", required, any, "upper corner").only("type=box"),
       key("centre", &EllipseShape::centre, "m", required, any, "centre").only("type=ellipse|ellipsoid"),
@@ -26,6 +26,7 @@ SectionOf<Shape> shape_section() {
       key("points", &PolygonShape::points, "m", required, any, "at least 3 corners of a polygon that does not cross itself, in either sense").only("type=polygon"),
       key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
       key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the body; of any length").only("type=half_plane|half_space"),
+      key("membrane", &InsideShape::membrane, required, reference, "the membrane").only("type=inside").in(3),
   }};
 }
 

@@ -1,0 +1,65 @@
+#include "draw_surface.hpp"
+
+#include <geodrop/base/input_file.hpp>
+#include <geodrop/geometry/triangle_surface.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+
+#include <filesystem>
+#include <utility>
+
+#include "geometry/surface_file.hpp"
+#include "geometry/surface_generators.hpp"
+
+namespace geodrop {
+namespace {
+
+Corner to_corner(const Point& x) { return {x[0], x[1], x[2]}; }
+
+struct Drawing {
+  double edge;  ///< [m]
+  const std::string& scene_file;
+
+  SurfaceFromFile operator()(std::monostate) const { return {{}, "no surface"}; }
+  SurfaceFromFile operator()(const EllipsoidSurface& s) const {
+    return {ellipsoid_surface(to_corner(s.centre), to_corner(s.semi_axes), edge), ""};
+  }
+  SurfaceFromFile operator()(const CapsuleSurface& s) const {
+    if (s.from == s.to) return {{}, "a capsule without length"};
+    return {capsule_surface(to_corner(s.from), to_corner(s.to), s.radius, edge), ""};
+  }
+  SurfaceFromFile operator()(const PillowSurface& s) const {
+    return {pillow_surface(to_corner(s.centre), s.length, s.width, s.thickness, edge), ""};
+  }
+  SurfaceFromFile operator()(const DiscPillowSurface& s) const {
+    return {disc_pillow_surface(to_corner(s.centre), s.radius, s.thickness, edge), ""};
+  }
+  SurfaceFromFile operator()(const FileSurface& s) const {
+    const std::string path = surface_path(scene_file, s.file), ending = std::filesystem::path(s.file).extension();
+    if (ending != ".stl" && ending != ".obj") return {{}, "a file that ends in \"" + ending + '"'};
+    const InputFile input = open_input(path);
+    if (!input.file) return {{}, path + ": " + input.fault};
+    const std::string content = read_input(path, "surface.file", "a surface");
+    return ending == ".stl" ? parse_stl(content) : parse_obj(content);
+  }
+};
+
+}  // namespace
+
+std::string surface_path(const std::string& scene_file, const std::string& file) {
+  return std::filesystem::absolute(std::filesystem::path(scene_file).parent_path() / file).lexically_normal();
+}
+
+SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, MembraneSpec& membrane) {
+  const double edge = finest_spacing(grid) / membrane.segments_per_cell;
+  SurfaceFromFile drawn = std::visit(Drawing{edge, scene_file}, membrane.surface);
+  if (!drawn.fault.empty()) return {drawn.fault, "a sphere, ellipsoid, capsule or pillow with extent, or a .stl or .obj file"};
+  const std::string fault = fault_of(drawn.surface);
+  if (!fault.empty()) return {fault, "a closed surface of triangles that have an area and face outwards"};
+  membrane.drawn.region = std::make_shared<SurfaceRegion>(std::move(drawn.surface));
+  for (std::size_t a = 0; a < 3; ++a)
+    if (membrane.drawn.region->lower()[a] < grid.lower[a] || membrane.drawn.region->upper()[a] > grid.upper[a])
+      return {"a surface that leaves the grid", "a surface inside the grid"};
+  return {};
+}
+
+}  // namespace geodrop
