@@ -28,6 +28,28 @@ std::uint32_t pieces(double whole, double piece, std::uint32_t least) {
   return std::max(least, static_cast<std::uint32_t>(std::lround(whole / piece)));
 }
 
+/// A line of a half length bent to a circular arc of a rise in the middle.
+class Arc {
+ public:
+  Arc(double half_length, double rise) : half_length_(half_length) {
+    // (1 - cos a) / a grows until 0.7246 at a = 2.33.
+    double low = 0, high = 2.33;
+    for (int round = 0; round < 60; ++round) {
+      const double middle = 0.5 * (low + high);
+      ((1 - std::cos(middle)) / middle < rise / half_length ? low : high) = middle;
+    }
+    angle_ = 0.5 * (low + high);
+  }
+  /// Of the point at a length along the line from its middle.
+  double across(double along) const { return half_length_ / angle_ * std::sin(angle_ * along / half_length_); }
+  double height(double along) const {
+    return half_length_ / angle_ * (std::cos(angle_ * along / half_length_) - std::cos(angle_));
+  }
+
+ private:
+  double half_length_, angle_;
+};
+
 /// A ring of points, anticlockwise about the axis; the first is at a share `begin` of the way round.
 struct Ring {
   std::vector<std::uint32_t> points;
@@ -184,25 +206,32 @@ TriangleSurface disc_pillow_surface(const Corner& centre, double radius, double 
   const Frame frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   TriangleSurface surface;
   std::vector<Ring> rings;
+  const Arc arc(radius, 0.5 * thickness);
   const auto add = [&](std::uint32_t k, double side) {
-    const double share = static_cast<double>(k) / rings_of_a_side, height = 0.5 * thickness * (1 - share * share);
-    rings.push_back(add_ring(frame, along(centre, side * height, frame.axis), share * radius, k == 0 ? 1 : 6 * k, 0, surface));
+    const double r = radius * k / rings_of_a_side;
+    const Corner middle = along(centre, side * arc.height(r), frame.axis);
+    rings.push_back(add_ring(frame, middle, arc.across(r), k == 0 ? 1 : 6 * k, 0, surface));
+    for (std::uint32_t point = 0; point < rings.back().points.size(); ++point) {
+      const double angle = full_turn * point / static_cast<double>(rings.back().points.size());
+      surface.unstretched.push_back({centre[0] + r * std::cos(angle), centre[1] + r * std::sin(angle), centre[2]});
+    }
   };
   for (std::uint32_t k = 0; k < rings_of_a_side; ++k) add(k, -1);
   for (std::uint32_t k = rings_of_a_side + 1; k-- > 0;) add(k, 1);
   stitch_all(rings, surface);
-  for (const Corner& x : surface.points) surface.unstretched.push_back({x[0], x[1], centre[2]});
   return surface;
 }
 
 TriangleSurface pillow_surface(const Corner& centre, double length_x, double length_y, double thickness, double edge) {
   const std::uint32_t nx = pieces(length_x, edge, 2), ny = pieces(length_y, edge, 2);
   TriangleSurface surface;
+  const Arc along_x(0.5 * length_x, 0.5 * thickness);
   const auto add_point = [&](std::uint32_t i, std::uint32_t j, double side) {
-    const double u = 2.0 * i / nx - 1, v = 2.0 * j / ny - 1;
-    const Corner flat{centre[0] + 0.5 * u * length_x, centre[1] + 0.5 * v * length_y, centre[2]};
-    surface.unstretched.push_back(flat);
-    surface.points.push_back({flat[0], flat[1], flat[2] + side * 0.5 * thickness * (1 - u * u) * (1 - v * v)});
+    const double u = length_x * (static_cast<double>(i) / nx - 0.5), v = length_y * (static_cast<double>(j) / ny - 0.5);
+    const Arc across(0.5 * length_y, i == 0 || i == nx ? 0.0 : along_x.height(u));
+    surface.unstretched.push_back({centre[0] + u, centre[1] + v, centre[2]});
+    surface.points.push_back(
+        {centre[0] + along_x.across(u), centre[1] + across.across(v), centre[2] + side * across.height(v)});
   };
   std::vector<std::uint32_t> sheet[2];
   for (int side = 0; side < 2; ++side)

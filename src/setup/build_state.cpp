@@ -188,6 +188,7 @@ std::string body_inside(const Scene& scene, const MembraneSpec& spec) {
 /// Corners, areas and edges at rest, (1 + slack) times what the cloth is cut out as.
 void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Membrane<3>& membrane) {
   const std::vector<Corner>& flat = surface.unstretched.empty() ? surface.points : surface.unstretched;
+  const Eigen::Vector3d warp = spec.warp.empty() ? Eigen::Vector3d::UnitX() : Eigen::Vector3d(spec.warp.data());
   MembraneTriangles<3>& triangles = membrane.triangles;
   for (const auto& triangle : surface.triangles) {
     std::array<Eigen::Vector3d, 3> corners;
@@ -195,7 +196,7 @@ void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Mem
       corners[k] = (1 + spec.slack) * Eigen::Vector3d(flat[triangle[k]].data());
       triangles.corner[k].push_back(triangle[k]);
     }
-    const Eigen::Matrix2d edges = rest_edges(corners, Eigen::Vector3d(spec.warp.data())), inverse = edges.inverse();
+    const Eigen::Matrix2d edges = rest_edges(corners, warp), inverse = edges.inverse();
     for (int c = 0; c < 4; ++c) triangles.inverse_rest[static_cast<std::size_t>(c)].push_back(inverse(c / 2, c % 2));
     const double area = 0.5 * edges.determinant();
     triangles.rest_area.push_back(area);

@@ -4,6 +4,7 @@
 #include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/grid/graded_axis.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -28,9 +29,11 @@ struct Drawing {
     return {capsule_surface(to_corner(s.from), to_corner(s.to), s.radius, edge), ""};
   }
   SurfaceFromFile operator()(const PillowSurface& s) const {
+    if (s.thickness > most_open * std::min(s.length, s.width)) return {{}, "a pillow that is too thick for its cloth"};
     return {pillow_surface(to_corner(s.centre), s.length, s.width, s.thickness, edge), ""};
   }
   SurfaceFromFile operator()(const DiscPillowSurface& s) const {
+    if (s.thickness > most_open * 2 * s.radius) return {{}, "a pillow that is too thick for its cloth"};
     return {disc_pillow_surface(to_corner(s.centre), s.radius, s.thickness, edge), ""};
   }
   SurfaceFromFile operator()(const FileSurface& s) const {
@@ -52,7 +55,7 @@ std::string surface_path(const std::string& scene_file, const std::string& file)
 SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, MembraneSpec& membrane) {
   const double edge = finest_spacing(grid) / membrane.segments_per_cell;
   SurfaceFromFile drawn = std::visit(Drawing{edge, scene_file}, membrane.surface);
-  if (!drawn.fault.empty()) return {drawn.fault, "a sphere, ellipsoid, capsule or pillow with extent, or a .stl or .obj file"};
+  if (!drawn.fault.empty()) return {drawn.fault, "a sphere, an ellipsoid, a capsule with length, a pillow of at most 0.7 of its cloth, or a .stl or .obj file"};
   const std::string fault = fault_of(drawn.surface);
   if (!fault.empty()) return {fault, "a closed surface of triangles that have an area and face outwards"};
   membrane.drawn.region = std::make_shared<SurfaceRegion>(std::move(drawn.surface));
