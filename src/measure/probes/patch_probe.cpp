@@ -34,6 +34,7 @@ PatchMeasures measure_patch(const PatchProbeSpec& probe, const Membrane<3>& memb
     if (tension.weight == 0) patch.lower = patch.upper = middle;
     tension.add(triangles.rest_area[t], membrane.tension[t]);
     cross.add(triangles.rest_area[t], triangles.cross_tension[t]);
+    patch.plan_area += 0.25 * std::abs(normal_of(membrane, t)[2]);
     for (const auto& corner : triangles.corner) {
       patch.lower = patch.lower.cwiseMin(vector_at(membrane.x, corner[t]));
       patch.upper = patch.upper.cwiseMax(vector_at(membrane.x, corner[t]));

@@ -33,6 +33,7 @@ struct PatchProbeSpec {
 struct PatchMeasures {
   double tension_mean = 0, tension_std = 0, cross_mean = 0, cross_std = 0;  ///< [N/m]
   Vec<3> lower = Vec<3>::Zero(), upper = Vec<3>::Zero();                    ///< [m]
+  double plan_area = 0;  ///< half of the sum of the triangles' projections: what a closed one covers from above [m2]
 };
 PatchMeasures measure_patch(const PatchProbeSpec& probe, const Membrane<3>& membrane);
 
@@ -45,6 +46,7 @@ inline void PatchProbeSpec::list(HistoryRow& row, const Scene&, const State<3>* 
   row.add(name + ".cross_tension_std_N_m", patch.cross_std);
   row.add_vector(name + ".width", "m", Vec<3>(patch.upper - patch.lower), 2);
   row.add(name + ".height_m", patch.upper[2] - patch.lower[2]);
+  row.add(name + ".plan_area_m2", patch.plan_area);
 }
 
 }  // namespace geodrop
