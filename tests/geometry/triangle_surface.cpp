@@ -109,7 +109,6 @@ TEST_CASE("The parts of the boxes of a lattice inside of a surface add up to its
     const SurfaceRegion region(surface);
     const Sums sums = sum_of_boxes(region, 0.25);
     CHECK(sums.volume == near(volume(surface), 1e-14));
-    if (&surface == &torn) continue;
   }
   const SurfaceRegion ball(ellipsoid_surface({0.1, 0.2, 0.3}, {1, 1, 1}, 0.15));
   const Sums sums = sum_of_boxes(ball, 0.25);

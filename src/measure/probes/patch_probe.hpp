@@ -16,10 +16,10 @@ struct PatchProbeSpec {
 
   static std::vector<Key> rows() {
     constexpr RowsOf<PatchProbeSpec> key;
-    return {key("membrane", &PatchProbeSpec::membrane, required, reference, "the membrane, of triangles"),
+    return {key("membrane", &PatchProbeSpec::membrane, required, reference, "the membrane, of triangles").in(3),
             key("lower", &PatchProbeSpec::lower, "m", required, any,
-                "lower corner of a box: the part are the triangles whose middle is in it now"),
-            key("upper", &PatchProbeSpec::upper, "m", required, any, "its upper corner")};
+                "lower corner of a box: the part are the triangles whose middle is in it now").in(3),
+            key("upper", &PatchProbeSpec::upper, "m", required, any, "its upper corner").in(3)};
   }
   void check(const ProbeCheck& probe) const {
     probe.membrane(membrane);

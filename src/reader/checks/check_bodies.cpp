@@ -10,6 +10,14 @@
 namespace geodrop {
 namespace {
 
+/// Only a membrane in space may be alone.
+void check_any(const Scene& scene, Report& report) {
+  if (!report.healthy("dimension") || (scene.dimension == 3 && !scene.membranes.empty())) return;
+  constexpr const char *nothing = "nothing: the key is missing or empty", *one = "at least one table";
+  if (scene.bodies.empty() && report.healthy("bodies")) report.add("bodies", nothing, one);
+  if (scene.materials.empty() && report.healthy("materials")) report.add("materials", nothing, one);
+}
+
 /// Names that head columns of history.csv share one name space.
 void check_owner_names(const Scene& scene, Report& report) {
   std::map<std::string, std::string> owner;
@@ -151,6 +159,7 @@ void check_velocity(const Scene& scene, const BodySpec& body, const std::string&
 }
 
 void check_bodies(const Scene& scene, Report& report) {
+  check_any(scene, report);
   check_owner_names(scene, report);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const std::string& key = report.element("bodies", i);

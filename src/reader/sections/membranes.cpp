@@ -21,16 +21,16 @@ SectionOf<SurfaceSpec> surface_section() {
       "surface of a membrane in space", "",
       "An inline table; `type` says which keys it has. Two flat pieces of cloth that are sewn together are drawn a "
       "little open, and their tension is that of the flat cloth.", {
-      key("type", itself<SurfaceSpec>, {{"sphere", EllipsoidSurface{}}, {"ellipsoid", EllipsoidSurface{}}, {"capsule", CapsuleSurface{}}, {"pillow", PillowSurface{}}, {"disc_pillow", DiscPillowSurface{}}, {"file", FileSurface{}}}, required, "which surface; capsule: a cylinder with hemispherical caps; pillow, disc_pillow: two rectangles, two discs sewn together along their rims; file: any closed surface"),
-      key("centre", Either(&EllipsoidSurface::centre, &PillowSurface::centre, &DiscPillowSurface::centre), "m", required, any, "centre").only("type=sphere|ellipsoid|pillow|disc_pillow"),
-      key("semi_axes", &EllipsoidSurface::semi_axes, "m", required, positive, "half lengths of the axes along x, y, z").only("type=ellipsoid"),
-      key("from", &CapsuleSurface::from, "m", required, any, "centre of one cap").only("type=capsule"),
-      key("to", &CapsuleSurface::to, "m", required, any, "centre of the other").only("type=capsule"),
-      key("radius", Either(round, &CapsuleSurface::radius, &DiscPillowSurface::radius), "m", required, positive, "of the sphere, of the cylinder and its caps, of the discs").only("type=sphere|capsule|disc_pillow"),
-      key("length", &PillowSurface::length, "m", required, positive, "of the cloth along x").only("type=pillow"),
-      key("width", &PillowSurface::width, "m", required, positive, "of the cloth along y: half the perimeter of a tube that is filled").only("type=pillow"),
-      key("thickness", Either(&PillowSurface::thickness, &DiscPillowSurface::thickness), "m", required, positive, "in the middle, as drawn").only("type=pillow|disc_pillow"),
-      key("file", &FileSurface::file, required, filled, "an STL file (.stl, text or binary) or an OBJ file (.obj) in metres, beside the scene file unless the path is absolute: closed, triangles facing outwards").only("type=file"),
+      key("type", itself<SurfaceSpec>, {{"sphere", EllipsoidSurface{}}, {"ellipsoid", EllipsoidSurface{}}, {"capsule", CapsuleSurface{}}, {"pillow", PillowSurface{}}, {"disc_pillow", DiscPillowSurface{}}, {"file", FileSurface{}}}, required, "which surface; capsule: a cylinder with hemispherical caps; pillow, disc_pillow: two rectangles, two discs sewn together along their rims; file: any closed surface").in(3),
+      key("centre", Either(&EllipsoidSurface::centre, &PillowSurface::centre, &DiscPillowSurface::centre), "m", required, any, "centre").only("type=sphere|ellipsoid|pillow|disc_pillow").in(3),
+      key("semi_axes", &EllipsoidSurface::semi_axes, "m", required, positive, "half lengths of the axes along x, y, z").only("type=ellipsoid").in(3),
+      key("from", &CapsuleSurface::from, "m", required, any, "centre of one cap").only("type=capsule").in(3),
+      key("to", &CapsuleSurface::to, "m", required, any, "centre of the other").only("type=capsule").in(3),
+      key("radius", Either(round, &CapsuleSurface::radius, &DiscPillowSurface::radius), "m", required, positive, "of the sphere, of the cylinder and its caps, of the discs").only("type=sphere|capsule|disc_pillow").in(3),
+      key("length", &PillowSurface::length, "m", required, positive, "of the cloth along x").only("type=pillow").in(3),
+      key("width", &PillowSurface::width, "m", required, positive, "of the cloth along y: half the perimeter of a tube that is filled").only("type=pillow").in(3),
+      key("thickness", Either(&PillowSurface::thickness, &DiscPillowSurface::thickness), "m", required, positive, "in the middle, as drawn").only("type=pillow|disc_pillow").in(3),
+      key("file", &FileSurface::file, required, filled, "an STL file (.stl, text or binary) or an OBJ file (.obj) in metres, beside the scene file unless the path is absolute: closed, triangles facing outwards").only("type=file").in(3),
   }};
 }
 
