@@ -173,7 +173,7 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
     if constexpr (Dim == 2) append_membrane(state.membranes[m], index, snapshot.membranes);
     if constexpr (Dim == 3) append_triangles(state.membranes[m], index, snapshot.membranes);
   }
-  snapshot.has_rigid = !state.rigid.empty();
+  snapshot.has_rigid = Dim == 2 && !state.rigid.empty();
   snapshot.rigid.fields = {{"velocity", vector_components, {}}};
   if constexpr (Dim == 2)
     for (std::size_t r = 0; r < state.rigid.size(); ++r)
