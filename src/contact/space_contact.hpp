@@ -1,5 +1,5 @@
-// Nodes of membranes on rigid half-spaces: the penalty of surface_contact with areas for lengths, and a tangential spring
-// that is a vector.
+// Nodes of membranes on rigid half-spaces: the penalty of surface_contact with areas for lengths, and a tangential
+// spring that is a vector.
 #pragma once
 
 #include <geodrop/scene/scene.hpp>

@@ -172,7 +172,9 @@ std::vector<Point> outline_of(const HalfPlaneShape&, double) {
   return {};
 }
 
-std::vector<Point> outline_of(const InsideShape&, double) { return assert(false && "for the plane"), std::vector<Point>{}; }
+std::vector<Point> outline_of(const InsideShape&, double) {
+  return assert(false && "for the plane"), std::vector<Point>{};
+}
 
 double perimeter_of(const BoxShape& box) { return length_around(corners(box)); }
 double perimeter_of(const PolygonShape& polygon) { return length_around(polygon.points); }

@@ -30,8 +30,8 @@ SurfaceFromFile parse_stl_text(const std::string& content) {
   std::size_t count = 0;
   for (std::string word; text >> word;) {
     if (word == "endfacet" && count != 3) {
-      out.fault = "facet " + std::to_string(out.surface.triangles.size() + 1) + " of " + std::to_string(count) +
-                  " corners";
+      out.fault =
+          "facet " + std::to_string(out.surface.triangles.size() + 1) + " of " + std::to_string(count) + " corners";
       return out;
     }
     if (word == "endfacet") {

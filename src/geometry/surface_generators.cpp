@@ -96,9 +96,9 @@ const std::array<Corner, 12>& icosahedron_corners() {
   return corners;
 }
 constexpr std::array<std::array<int, 3>, 20> icosahedron_faces{
-    {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6},
-     {7, 1, 8},  {3, 9, 4},  {3, 4, 2},  {3, 2, 6},  {3, 6, 8},   {3, 8, 9}, {4, 9, 5},  {2, 4, 11},  {6, 2, 10},
-     {8, 6, 7},  {9, 8, 1}}};
+    {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+     {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+     {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
 /// Points of the divided icosahedron on the unit sphere, each once: shared ones are known by corners and shares.
 class Geodesic {

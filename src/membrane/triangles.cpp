@@ -122,7 +122,8 @@ std::array<Array<double>, 3> triangle_forces(const Membrane<3>& membrane) {
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto F = deformation(membrane, t);
     const Eigen::Matrix2d stress = cloth_state(membrane, F.transpose() * F).stress;
-    const Eigen::Matrix<double, 3, 2> pull = -triangles.rest_area[t] * F * stress * inverse_rest(membrane, t).transpose();
+    const Eigen::Matrix<double, 3, 2> pull =
+        -triangles.rest_area[t] * F * stress * inverse_rest(membrane, t).transpose();
     for (int a = 0; a < 3; ++a) {
       force[a][triangles.corner[1][t]] += pull(a, 0);
       force[a][triangles.corner[2][t]] += pull(a, 1);

@@ -55,7 +55,10 @@ std::string surface_path(const std::string& scene_file, const std::string& file)
 SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, MembraneSpec& membrane) {
   const double edge = finest_spacing(grid) / membrane.segments_per_cell;
   SurfaceFromFile drawn = std::visit(Drawing{edge, scene_file}, membrane.surface);
-  if (!drawn.fault.empty()) return {drawn.fault, "a sphere, an ellipsoid, a capsule with length, a pillow of at most 0.7 of its cloth, or a .stl or .obj file"};
+  if (!drawn.fault.empty())
+    return {
+        drawn.fault,
+        "a sphere, an ellipsoid, a capsule with length, a pillow of at most 0.7 of its cloth, or a .stl or .obj file"};
   const std::string fault = fault_of(drawn.surface);
   if (!fault.empty()) return {fault, "a closed surface of triangles that have an area and face outwards"};
   membrane.drawn.region = std::make_shared<SurfaceRegion>(std::move(drawn.surface));

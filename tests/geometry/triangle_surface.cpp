@@ -85,7 +85,9 @@ TEST_CASE("A fault of a surface names the triangle") {
     change(broken);
     return fault_of(broken);
   };
-  const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
   CHECK(has(fault_with([](TriangleSurface& s) { s.triangles.pop_back(); }), "an edge without a neighbour"));
   CHECK(has(fault_with([](TriangleSurface& s) { std::swap(s.triangles[6][0], s.triangles[6][1]); }), "triangle 7"));
   CHECK(has(fault_with([](TriangleSurface& s) { s.triangles[4][2] = s.triangles[4][1]; }),
@@ -118,7 +120,8 @@ TEST_CASE("The parts of the boxes of a lattice inside of a surface add up to its
 }
 
 TEST_CASE("Moments of a box that a tetrahedron cuts off are those by hand") {
-  TriangleSurface corner{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
+  TriangleSurface corner{
+      {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
   REQUIRE(fault_of(corner).empty());
   const SurfaceRegion region(corner);
   // The cube [0,1]^3 is inside as a whole; of [1,2] x [0,1]^2 the part x + y + z > 3, a tetrahedron of 1/6, is not.
@@ -150,7 +153,8 @@ TEST_CASE("A tetrahedron is the same from STL text, from STL binary and from OBJ
   std::string text = "solid s\n", binary(80, ' '), obj = "# a corner\n";
   const std::uint32_t count = 4;
   binary.append(reinterpret_cast<const char*>(&count), sizeof count);
-  for (const Corner& c : x) obj += "v " + std::to_string(c[0]) + ' ' + std::to_string(c[1]) + ' ' + std::to_string(c[2]) + '\n';
+  for (const Corner& c : x)
+    obj += "v " + std::to_string(c[0]) + ' ' + std::to_string(c[1]) + ' ' + std::to_string(c[2]) + '\n';
   for (const auto& face : faces) {
     text += "facet normal 0 0 0\nouter loop\n";
     binary.append(12, '\0');

@@ -44,7 +44,8 @@ Membrane<3> hinge(Fabric fabric) {
     }
   membrane.mass.assign(4, 1.0);
   for (const auto& t : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}}) {
-    const Eigen::Matrix2d edges = rest_edges({rest[t[0]], rest[t[1]], rest[t[2]]}, {1, 0.5, 0}), inverse = edges.inverse();
+    const Eigen::Matrix2d edges = rest_edges({rest[t[0]], rest[t[1]], rest[t[2]]}, {1, 0.5, 0}),
+                          inverse = edges.inverse();
     for (std::size_t k = 0; k < 3; ++k) membrane.triangles.corner[k].push_back(t[k]);
     for (int c = 0; c < 4; ++c) membrane.triangles.inverse_rest[c].push_back(inverse(c / 2, c % 2));
     membrane.triangles.rest_area.push_back(0.5 * edges.determinant());

@@ -109,8 +109,8 @@ TEST_CASE("A body inside a surface has its volume, cloth its mass and its warp a
   for (const double m : state.bodies[0].mass) fluid += m;
   for (const double m : bag.mass) cloth += m;
   for (const double area : bag.triangles.rest_area) rest += area;
-  CHECK(fluid == near(1000 * enclosed_volume(bag), 1e-9));  // shares below 1e-9 are none
-  CHECK(cloth == near(rest, 1e-13));  // 1 kg/m2
+  CHECK(fluid == near(1000 * enclosed_volume(bag), 1e-9));                               // shares below 1e-9 are none
+  CHECK(cloth == near(rest, 1e-13));                                                     // 1 kg/m2
   CHECK(enclosed_volume(bag) == near(std::numbers::pi * (0.25 * 1.2 + 0.5 / 3), 0.03));  // chords of 0.16 m
   CHECK(bag.body == "fill");
   // 1 % of slack: stretches of 1 / 1.01 before any step.

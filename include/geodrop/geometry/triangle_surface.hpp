@@ -26,8 +26,8 @@ double volume(const TriangleSurface& surface);
 double area(const TriangleSurface& surface);
 
 /// What is wrong with a surface that should be closed and face outwards, "" if nothing is: a corner that is not there,
-/// a triangle without area, an edge that has no neighbour, two neighbours that face opposite ways, inside out. Triangles
-/// are counted from 1.
+/// a triangle without area, an edge that has no neighbour, two neighbours that face opposite ways, inside out.
+/// Triangles are counted from 1.
 std::string fault_of(const TriangleSurface& surface);
 
 /// A closed surface that is asked for places and volumes. Each triangle is sorted into columns along x.

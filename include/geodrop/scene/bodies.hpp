@@ -61,9 +61,9 @@ struct CapsuleSurface {
 };
 /// Two flat rectangles of cloth sewn together along their rims.
 struct PillowSurface {
-  Point centre;                     ///< [m]
-  double length = 0, width = 0;     ///< of the cloth along x and y [m]
-  double thickness = 0;             ///< in the middle, as drawn [m]
+  Point centre;                  ///< [m]
+  double length = 0, width = 0;  ///< of the cloth along x and y [m]
+  double thickness = 0;          ///< in the middle, as drawn [m]
   bool operator==(const PillowSurface&) const = default;
 };
 /// Two flat discs of cloth sewn together along their rims.
@@ -115,11 +115,11 @@ struct MembraneSpec {
   SurfaceSpec surface;          ///< in space
   DrawnSurface drawn;           ///< in space, once it is drawn
   Fabric fabric = Fabric::isotropic;
-  double poisson_ratio = 0;    ///< of an isotropic one [-]
-  double weft_stiffness = 0;   ///< of one of yarns [N/m]; axial_stiffness is that of the warp
-  double weft_strength = 0;    ///< likewise [N/m]
-  Point warp;                  ///< direction of the warp, or what of it lies in the cloth [-]
-  double gauge_pressure = 0;   ///< inside over outside, the same all over [Pa]
+  double poisson_ratio = 0;   ///< of an isotropic one [-]
+  double weft_stiffness = 0;  ///< of one of yarns [N/m]; axial_stiffness is that of the warp
+  double weft_strength = 0;   ///< likewise [N/m]
+  Point warp;                 ///< direction of the warp, or what of it lies in the cloth [-]
+  double gauge_pressure = 0;  ///< inside over outside, the same all over [Pa]
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };

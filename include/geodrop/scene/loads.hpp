@@ -12,7 +12,7 @@ namespace geodrop {
 struct StillFluidSpec {
   enum class Side { outside, inside };
   std::string membrane;
-  std::string fluid;   ///< material name of a Newtonian fluid
+  std::string fluid;  ///< material name of a Newtonian fluid
   Side side = Side::outside;
   double surface = 0;  ///< level of its surface, or of no pressure in a tube that is pumped up [m]
   SourceRef at;

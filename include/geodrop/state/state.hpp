@@ -60,14 +60,14 @@ struct MembraneTriangles {};
 template <>
 struct MembraneTriangles<3> {
   Fabric fabric = Fabric::isotropic;
-  double poisson_ratio = 0;                           ///< of an isotropic one [-]
-  double weft_stiffness = 0, weft_strength = 0;       ///< of yarns [N/m]
-  double mass_per_area = 0;                           ///< [kg/m2]
-  double gauge_pressure = 0;                          ///< inside over outside [Pa]
-  std::array<Array<std::uint32_t>, 3> corner;         ///< nodes, anticlockwise from outside
-  std::array<Array<double>, 4> inverse_rest;          ///< D^-1 [1/m], D the two edges from corner 0 in warp and weft
-  Array<double> rest_area;                            ///< [m2]
-  Array<double> cross_tension;                        ///< smaller principal one, or of the weft, per width at rest [N/m]
+  double poisson_ratio = 0;                      ///< of an isotropic one [-]
+  double weft_stiffness = 0, weft_strength = 0;  ///< of yarns [N/m]
+  double mass_per_area = 0;                      ///< [kg/m2]
+  double gauge_pressure = 0;                     ///< inside over outside [Pa]
+  std::array<Array<std::uint32_t>, 3> corner;    ///< nodes, anticlockwise from outside
+  std::array<Array<double>, 4> inverse_rest;     ///< D^-1 [1/m], D the two edges from corner 0 in warp and weft
+  Array<double> rest_area;                       ///< [m2]
+  Array<double> cross_tension;                   ///< smaller principal one, or of the weft, per width at rest [N/m]
 
   std::size_t size() const { return rest_area.size(); }
 };
@@ -147,7 +147,7 @@ struct RigidContact {
   Array<double> half_width;     ///< bare: the same now, as the flow flattens or stretches what touches [m]
   Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending
   Array<double> slip;  ///< of each: stretch of its tangential spring, along the normal turned clockwise; 3D: vector [m]
-  Array<std::int8_t> side;      ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
+  Array<std::int8_t> side;  ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
   std::array<double, Dim> normal_force{}, friction_force{};  ///< sums over the points in the last step [N]
   double normal_sum = 0, friction_sum = 0;                   ///< sums of their sizes, friction with its sign [N]
   double friction_work = 0, damping_work = 0;                ///< turned into heat so far [J]

@@ -18,7 +18,8 @@ struct PatchProbeSpec {
     constexpr RowsOf<PatchProbeSpec> key;
     return {key("membrane", &PatchProbeSpec::membrane, required, reference, "the membrane, of triangles").in(3),
             key("lower", &PatchProbeSpec::lower, "m", required, any,
-                "lower corner of a box: the part are the triangles whose middle is in it now").in(3),
+                "lower corner of a box: the part are the triangles whose middle is in it now")
+                .in(3),
             key("upper", &PatchProbeSpec::upper, "m", required, any, "its upper corner").in(3)};
   }
   void check(const ProbeCheck& probe) const {
@@ -38,8 +39,7 @@ struct PatchMeasures {
 PatchMeasures measure_patch(const PatchProbeSpec& probe, const Membrane<3>& membrane);
 
 inline void PatchProbeSpec::list(HistoryRow& row, const Scene&, const State<3>* state) const {
-  const PatchMeasures patch =
-      state ? measure_patch(*this, find_named(state->membranes, membrane)) : PatchMeasures{};
+  const PatchMeasures patch = state ? measure_patch(*this, find_named(state->membranes, membrane)) : PatchMeasures{};
   row.add(name + ".tension_mean_N_m", patch.tension_mean);
   row.add(name + ".tension_std_N_m", patch.tension_std);
   row.add(name + ".cross_tension_mean_N_m", patch.cross_mean);

@@ -128,10 +128,9 @@ void check_surfaces(const Scene& scene, Report& report) {
     const MembraneSpec& membrane = scene.membranes[i];
     const std::string& key = report.element("membranes", i);
     check_strength(membrane, key, report);
-    for (const auto& [name, value] : {std::pair{".mass_per_area", membrane.mass_per_area},
-                                      std::pair{".axial_stiffness", membrane.axial_stiffness}})
-      if (value == 0 && report.healthy(key + name))
-        report.add(key + name, "0 of a membrane in space", "a number > 0");
+    for (const auto& [name, value] :
+         {std::pair{".mass_per_area", membrane.mass_per_area}, std::pair{".axial_stiffness", membrane.axial_stiffness}})
+      if (value == 0 && report.healthy(key + name)) report.add(key + name, "0 of a membrane in space", "a number > 0");
     const bool no_warp = std::all_of(membrane.warp.begin(), membrane.warp.end(), [](double c) { return c == 0; });
     if (membrane.fabric == Fabric::yarns && no_warp && report.healthy(key + ".warp"))
       report.add(key + ".warp", to_text(membrane.warp), "a vector that is not zero");
