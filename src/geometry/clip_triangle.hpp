@@ -20,11 +20,10 @@ struct ConvexPiece {
 /// plane is above it.
 inline void split(const ConvexPiece& whole, std::size_t axis, double level, ConvexPiece& below, ConvexPiece& above) {
   below.count = above.count = 0;
-  bool any_below = false, any_above = false;
+  bool any_below = false;
   for (std::size_t k = 0; k < whole.count; ++k) {
     const SpacePoint &u = whole.at[k], &v = whole.at[k + 1 == whole.count ? 0 : k + 1];
     any_below = any_below || u[axis] < level;
-    any_above = any_above || u[axis] > level;
     if (u[axis] <= level) below.add(u);
     if (u[axis] >= level) above.add(u);
     if ((u[axis] < level) == (v[axis] < level) || u[axis] == level || v[axis] == level) continue;
@@ -37,7 +36,7 @@ inline void split(const ConvexPiece& whole, std::size_t axis, double level, Conv
     above.add(crossing);
   }
   if (below.count < 3 || !any_below) below.count = 0;
-  if (above.count < 3 || (any_below && !any_above)) above.count = 0;
+  if (above.count < 3) above.count = 0;
 }
 
 }  // namespace geodrop

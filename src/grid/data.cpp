@@ -146,11 +146,17 @@ void add_cut(const CutCells& cells, Hasher& hash) {
   for (const CutCells::Piece& piece : cells.pieces) hash.add(piece.cell, piece.edge, piece.from, piece.to);
 }
 
+void add_clipped(const ClippedCells& cells, Hasher& hash) {
+  hash.add(cells.first, cells.count, cells.inside, cells.upper_face);
+  for (const ClippedCells::Piece& piece : cells.pieces) hash.add(piece.cell, piece.triangle, piece.share);
+}
+
 template <int Dim>
 void add_cells_of_bodies(Data item, const Grid<Dim>& grid, Hasher& hash) {
   if (item == Data::enclosed_cells)
     for (const EnclosedCells& cells : grid.enclosed) {
-      add_cut(cells, hash);
+      if constexpr (Dim == 2) add_cut(cells, hash);
+      if constexpr (Dim == 3) add_clipped(cells.space, hash);
       hash.add(cells.host, cells.volume, cells.pressure, cells.rate);
     }
   if (item == Data::cut_cells) {

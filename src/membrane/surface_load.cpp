@@ -48,16 +48,33 @@ void add_load(const Eigen::Vector3d& pressure, std::size_t t, Membrane<3>& membr
     for (int a = 0; a < 3; ++a) membrane.load[a][membrane.triangles.corner[k][t]] += pressure[k] * half_normal[a];
 }
 
+/// Of the corners of a triangle below a level [m].
+std::array<double, 3> depths(double level, const Membrane<3>& membrane, std::size_t t) {
+  std::array<double, 3> depth;
+  for (int k = 0; k < 3; ++k) depth[k] = level - membrane.x[2][membrane.triangles.corner[k][t]];
+  return depth;
+}
+
 void add_column(const StillColumn& column, Membrane<3>& membrane) {
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
-    std::array<double, 3> depth;
-    for (int k = 0; k < 3; ++k) depth[k] = column.level - membrane.x[2][membrane.triangles.corner[k][t]];
+    const std::array<double, 3> depth = depths(column.level, membrane, t);
     if (std::all_of(depth.begin(), depth.end(), [](double d) { return d <= 0; })) continue;
     add_load(shares_of_load(wet_part(depth), column.unit_weight), t, membrane);
   }
 }
 
 }  // namespace
+
+void add_weight(double unit_weight, double level, Membrane<3>& membrane) {
+  const auto whole = [](const std::array<double, 3>& depth) {
+    std::vector<WetCorner> corners;
+    for (int k = 0; k < 3; ++k) corners.push_back({Eigen::Vector3d::Unit(k), depth[k]});
+    return corners;
+  };
+  if (unit_weight == 0) return;
+  for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
+    add_load(shares_of_load(whole(depths(level, membrane, t)), unit_weight), t, membrane);
+}
 
 std::vector<StillColumn> still_columns(const Scene& scene) {
   std::vector<StillColumn> columns;

@@ -21,4 +21,7 @@ std::vector<StillColumn> still_columns(const Scene& scene);
 /// level cuts a triangle.
 void add_surface_pressure(const std::vector<StillColumn>& columns, State<3>& state);
 
+/// Adds int gamma (level - z) N dA n, negative above the level as well: the weight of a fluid inside.
+void add_weight(double unit_weight, double level, Membrane<3>& membrane);
+
 }  // namespace geodrop
