@@ -59,7 +59,7 @@ void split_into_cells(ConvexPiece rest, std::array<int, 3>& cell, F& f) {
 /// A triangle of the surface in the coordinates of the box.
 struct Facet {
   std::array<Vec<3>, 3> corner;
-  Vec<3> normal;  ///< area times unit normal [cells2]
+  Vec<3> normal;                          ///< area times unit normal [cells2]
   Eigen::Matrix<double, 2, 3> to_shares;  ///< of corners 1 and 2, from the way from corner 0
 
   explicit Facet(const std::array<Vec<3>, 3>& corners) : corner(corners) {

@@ -1,9 +1,9 @@
 // The cells that a closed surface of triangles cuts, exactly: how much of each lies inside, which part of each face
 // does, and which pieces of the triangles lie in it.
 //
-// The sister of cut_cells by the divergence theorem: triangles are split at the planes of the grid; a piece adds its own
-// part to its cell, and the moments of its projection to all faces that lie below it along each axis. No case of how a
-// surface may cross a cell is told apart, and what it cuts twice is counted by winding number.
+// The sister of cut_cells by the divergence theorem: triangles are split at the planes of the grid; a piece adds its
+// own part to its cell, and the moments of its projection to all faces that lie below it along each axis. No case of
+// how a surface may cross a cell is told apart, and what it cuts twice is counted by winding number.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>

@@ -1,5 +1,5 @@
-// The pressure of a fluid that fills a closed membrane of triangles: enclosed_fluid.hpp word by word, with the cells that
-// clipped_cells finds. All bodies of the field are such fluids.
+// The pressure of a fluid that fills a closed membrane of triangles: enclosed_fluid.hpp word by word, with the cells
+// that clipped_cells finds. All bodies of the field are such fluids.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>

@@ -32,10 +32,10 @@ Row<Dim> enclosed_load_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> enclosed_rate_row(const Scene& scene) {
-  return {
-      "enclosed_rate", Data::nodal_velocity | Data::membrane_position, Data::enclosed_cells | Data::volume_ratio,
-      any_body_with(scene, PressureSupport::enclosed),
-      each_field<Dim>([](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { update_enclosed_rates(s, g, step.dt); })};
+  return {"enclosed_rate", Data::nodal_velocity | Data::membrane_position, Data::enclosed_cells | Data::volume_ratio,
+          any_body_with(scene, PressureSupport::enclosed),
+          each_field<Dim>(
+              [](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { update_enclosed_rates(s, g, step.dt); })};
 }
 
 #define GEODROP_INSTANTIATE(D)                         \

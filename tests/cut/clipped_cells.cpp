@@ -71,8 +71,8 @@ TEST_CASE("Shares of cells add up to the volume inside; pieces to the triangles"
 }
 
 TEST_CASE("What lies inside a cell is closed: faces and pieces have no resultant, and the moment of its volume") {
-  // Of the faces and pieces of a cell: sum n = 0, and sum x n = V (identity), by the divergence theorem. The shares come
-  // from one axis, the faces from three, and the pieces from the triangles: this ties them to each other.
+  // Of the faces and pieces of a cell: sum n = 0, and sum x n = V (identity), by the divergence theorem. The shares
+  // come from one axis, the faces from three, and the pieces from the triangles: this ties them to each other.
   const GridLayout<3> layout = small_grid(0.25);
   for (const TriangleSurface& surface : surfaces()) {
     const Membrane<3> membrane = membrane_of(surface);

@@ -132,7 +132,8 @@ struct CutCells {
   std::size_t size() const { return area.size(); }
 };
 
-/// The cells that a closed surface of triangles cuts (3D), see cut/clipped_cells. Local cells i + nx (j + ny k) of a box.
+/// The cells that a closed surface of triangles cuts (3D), see cut/clipped_cells. Local cells i + nx (j + ny k) of a
+/// box.
 struct ClippedCells {
   /// Integrals of u^a w^b over the part of a face inside, at a + 3 b; u, w from -1/2 to 1/2 along the two axes that
   /// follow the face's own, cyclically [its area].
@@ -143,10 +144,10 @@ struct ClippedCells {
     std::uint32_t triangle;
     std::array<double, 3> share;
   };
-  std::array<int, 3> first{}, count{};         ///< lowest stored cell of the box, cells per axis
-  Array<double> inside;                        ///< share of a cell inside [-]
+  std::array<int, 3> first{}, count{};           ///< lowest stored cell of the box, cells per axis
+  Array<double> inside;                          ///< share of a cell inside [-]
   std::array<Array<FaceMoments>, 3> upper_face;  ///< between a cell and the next one along each axis
-  std::vector<Piece> pieces;                   ///< in the order of the triangles
+  std::vector<Piece> pieces;                     ///< in the order of the triangles
 
   std::size_t size() const { return inside.size(); }
 };
