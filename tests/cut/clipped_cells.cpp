@@ -21,7 +21,7 @@ GridLayout<3> small_grid(double h) {
   spec.spacing = h;
   spec.basis = Basis::bspline2;
   WallsSpec walls;
-  for (auto* side : {&walls.lower, &walls.upper}) side->fill(WallKind::slip);
+  for (auto* side : {&walls.lower, &walls.upper}) side->assign(3, WallKind::slip);
   return {spec, walls};
 }
 
