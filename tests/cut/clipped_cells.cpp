@@ -1,6 +1,7 @@
 // Cells clipped by triangles: shares, faces and pieces fit together to round-off.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -128,6 +129,36 @@ TEST_CASE("A face inside as a whole has the moments of a square") {
       for (std::size_t k = 0; k < m.size(); ++k) CHECK(std::abs(m[k] - square[k]) < 1e-13);
     }
   CHECK(whole > 300);
+}
+
+TEST_CASE("Faces that an upright box covers in part have the moments of rectangles") {
+  const std::array<std::array<double, 2>, 3> box{{{-0.3, 0.33}, {-0.2, 0.41}, {-0.1, 0.27}}};
+  TriangleSurface surface;
+  for (int k = 0; k < 8; ++k) surface.points.push_back({box[0][k % 2], box[1][k / 2 % 2], box[2][k / 4]});
+  surface.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  REQUIRE(fault_of(surface).empty());
+  const GridLayout<3> layout = small_grid(0.25);
+  ClippedCells cells;
+  clip_cells(layout, membrane_of(surface), cells);
+  const std::array<int, 3> stride{1, cells.count[0], cells.count[0] * cells.count[1]};
+  const auto middle = [&](int a, int c) {
+    return layout.node(a, cells.first[a] - GridLayout<3>::pad + c / stride[a] % cells.count[a]);
+  };
+  /// int z^power over what of a cell lies between the sides of the box along an axis.
+  const auto integral = [&](int a, int c, int power) {
+    const auto place = [&](double x) { return std::clamp((x - middle(a, c)) / layout.h, -0.5, 0.5); };
+    return (std::pow(place(box[a][1]), power + 1) - std::pow(place(box[a][0]), power + 1)) / (power + 1);
+  };
+  for (int a = 0; a < 3; ++a)
+    for (int c = 0; c < static_cast<int>(cells.size()); ++c) {
+      const double level = middle(a, c) + layout.h / 2;
+      const bool inside = level > box[a][0] && level < box[a][1];
+      for (int m = 0; m < 9; ++m) {
+        const double exact = inside ? integral((a + 1) % 3, c, m % 3) * integral((a + 2) % 3, c, m / 3) : 0.0;
+        CHECK(std::abs(cells.upper_face[a][c][m] - exact) < 1e-14);
+      }
+    }
 }
 
 TEST_CASE("Splines over a whole face add up to its area, and a half face to those of the half line") {

@@ -168,6 +168,7 @@ TEST_CASE("Pressures on triangles: the resultant of a fluid at rest is the weigh
     for (std::size_t k = 0; k < 3; ++k) membrane.triangles.corner[k].push_back(t[k]);
     membrane.triangles.rest_area.push_back(1);
   }
+  Eigen::Vector3d moment;
   const auto resultant = [&](double unit_weight, double level, double gauge) {
     State<3> state;
     state.membranes.push_back(membrane);
@@ -175,13 +176,19 @@ TEST_CASE("Pressures on triangles: the resultant of a fluid at rest is the weigh
     state.membranes[0].triangles.gauge_pressure = gauge;
     add_surface_pressure({{"bag", unit_weight, level}}, state);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < 4; ++k) sum += vector_at(state.membranes[0].load, k);
+    moment.setZero();
+    for (std::size_t k = 0; k < 4; ++k) {
+      sum += vector_at(state.membranes[0].load, k);
+      moment += vector_at(membrane.x, k).cross(vector_at(state.membranes[0].load, k));
+    }
     return sum;
   };
   CHECK(enclosed_volume(membrane) == near(1.0 / 6, 1e-15));
   const Eigen::Vector3d outside = resultant(-9000, 5, 0);
   CHECK(outside[2] == near(9000.0 / 6, 1e-12));
   CHECK(outside.head<2>().norm() < 1e-9);
+  // It acts at the middle of the volume, (1/4, 1/4, 1/4).
+  CHECK((moment - Eigen::Vector3d(0.25, 0.25, 0.25).cross(outside)).norm() < 1e-9);
   // Below 1/2: 1/6 (1 - 1/8) of volume.
   const Eigen::Vector3d half = resultant(-9000, 0.5, 0);
   CHECK(half[2] == near(9000.0 / 6 * 7 / 8, 1e-12));
