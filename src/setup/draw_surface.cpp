@@ -5,7 +5,9 @@
 #include <geodrop/grid/graded_axis.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 #include "geometry/surface_file.hpp"
@@ -15,6 +17,47 @@ namespace geodrop {
 namespace {
 
 Corner to_corner(const Point& x) { return {x[0], x[1], x[2]}; }
+
+/// The box around a surface before it is drawn, and its area: a radius of 1e9 m would be drawn for ever.
+struct Extent {
+  Point lower, upper;  ///< none of a file
+  double area = 0;     ///< [m2]
+
+  void add(const Point& centre, const Point& half) {
+    if (lower.empty()) lower = upper = centre;
+    for (std::size_t a = 0; a < 3; ++a) {
+      lower[a] = std::min(lower[a], centre[a] - half[a]);
+      upper[a] = std::max(upper[a], centre[a] + half[a]);
+    }
+  }
+};
+
+Extent extent_of(const SurfaceSpec& spec) {
+  constexpr double pi = std::numbers::pi;
+  Extent extent;
+  if (const auto* s = std::get_if<EllipsoidSurface>(&spec)) {
+    extent.add(s->centre, s->semi_axes);
+    extent.area = 4 * pi * std::pow(*std::max_element(s->semi_axes.begin(), s->semi_axes.end()), 2);
+  } else if (const auto* capsule = std::get_if<CapsuleSurface>(&spec)) {
+    for (const Point& end : {capsule->from, capsule->to}) extent.add(end, Point(3, capsule->radius));
+    double length = 2 * capsule->radius;
+    for (std::size_t a = 0; a < 3; ++a) length += std::abs(capsule->to[a] - capsule->from[a]);
+    extent.area = 2 * pi * capsule->radius * length;
+  } else if (const auto* pillow = std::get_if<PillowSurface>(&spec)) {
+    extent.add(pillow->centre, {0, 0, pillow->thickness / 2});
+    extent.area = 2 * pillow->length * pillow->width;
+  } else if (const auto* disc = std::get_if<DiscPillowSurface>(&spec)) {
+    extent.add(disc->centre, {0, 0, disc->thickness / 2});
+    extent.area = 2 * pi * disc->radius * disc->radius;
+  }
+  return extent;
+}
+
+bool leaves(const GridSpec& grid, const Extent& extent) {
+  for (std::size_t a = 0; a < extent.lower.size(); ++a)
+    if (!(extent.lower[a] >= grid.lower[a] && extent.upper[a] <= grid.upper[a])) return true;
+  return false;
+}
 
 struct Drawing {
   double edge;  ///< [m]
@@ -53,7 +96,13 @@ std::string surface_path(const std::string& scene_file, const std::string& file)
 }
 
 SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, MembraneSpec& membrane) {
+  constexpr double most_triangles = 2e6;
   const double edge = finest_spacing(grid) / membrane.segments_per_cell;
+  const Extent extent = extent_of(membrane.surface);
+  const SurfaceFault outside{"a surface that leaves the grid", "a surface inside the grid"};
+  if (leaves(grid, extent)) return outside;
+  if (!(extent.area <= most_triangles * std::sqrt(3.0) / 4 * edge * edge))
+    return {"a surface of more than 2 million triangles", "one with fewer, by larger cells or fewer segments_per_cell"};
   SurfaceFromFile drawn = std::visit(Drawing{edge, scene_file}, membrane.surface);
   if (!drawn.fault.empty())
     return {
@@ -64,7 +113,7 @@ SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, M
   membrane.drawn.region = std::make_shared<SurfaceRegion>(std::move(drawn.surface));
   for (std::size_t a = 0; a < 3; ++a)
     if (membrane.drawn.region->lower()[a] < grid.lower[a] || membrane.drawn.region->upper()[a] > grid.upper[a])
-      return {"a surface that leaves the grid", "a surface inside the grid"};
+      return outside;
   return {};
 }
 
