@@ -1,4 +1,5 @@
-// Rows of the step for contact with rigid bodies and between membranes, in the plane.
+// Rows of the step for contact with rigid bodies and between membranes, in the plane, and of membranes on rigid
+// half-spaces.
 #pragma once
 
 #include <geodrop/grid/row.hpp>
@@ -6,6 +7,7 @@
 namespace geodrop {
 
 Row<2> membrane_contact_row(const Scene& scene);
+Row<3> space_contact_row(const Scene& scene);
 Row<2> particle_contact_row(const Scene& scene);
 Row<2> rigid_share_row(const Scene& scene);
 Row<2> hold_shift_row(const Scene& scene);

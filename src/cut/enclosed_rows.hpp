@@ -5,9 +5,13 @@
 
 namespace geodrop {
 
-Row<2> enclosed_cells_row(const Scene& scene);
-Row<2> enclosed_force_row(const Scene& scene);
-Row<2> enclosed_load_row(const Scene& scene);
-Row<2> enclosed_rate_row(const Scene& scene);
+template <int Dim>
+Row<Dim> enclosed_cells_row(const Scene& scene);
+template <int Dim>
+Row<Dim> enclosed_force_row(const Scene& scene);
+template <int Dim>
+Row<Dim> enclosed_load_row(const Scene& scene);
+template <int Dim>
+Row<Dim> enclosed_rate_row(const Scene& scene);
 
 }  // namespace geodrop

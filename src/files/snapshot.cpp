@@ -82,12 +82,11 @@ ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::
   return out;
 }
 
-template <int Dim>
-void append_membrane(const Membrane<Dim>& membrane, std::uint32_t index, MembraneSnapshot& out) {
+void append_membrane(const Membrane<2>& membrane, std::uint32_t index, MembraneSnapshot& out) {
   const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
   const auto nodes = static_cast<std::uint32_t>(membrane.nodes());
   for (std::uint32_t i = 0; i < nodes; ++i)
-    for (int a = 0; a < 3; ++a) out.points.push_back(a < Dim ? membrane.x[a][i] : 0.0);
+    for (int a = 0; a < 3; ++a) out.points.push_back(a < 2 ? membrane.x[a][i] : 0.0);
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
   const Array<double>&inside = membrane.contents_pressure, &around = membrane.water_pressure;
   for (std::uint32_t s = 0; s < membrane.segments(); ++s) {
@@ -100,6 +99,25 @@ void append_membrane(const Membrane<Dim>& membrane, std::uint32_t index, Membran
     out.fields[4].values.push_back(around.empty() ? none : narrow(around[s]));
     out.fields[5].values.push_back(membrane.pore_pressure.empty() ? none : narrow(membrane.pore_pressure[s]));
     out.fields[6].values.push_back(membrane.seepage.empty() ? none : narrow(membrane.seepage[s]));
+    out.membrane.push_back(index);
+  }
+}
+
+/// Triangles; the values of a plane's segments that they have as well, and the tension across.
+void append_triangles(const Membrane<3>& membrane, std::uint32_t index, MembraneSnapshot& out) {
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  for (std::size_t i = 0; i < membrane.nodes(); ++i)
+    for (int a = 0; a < 3; ++a) out.points.push_back(membrane.x[a][i]);
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  const MembraneTriangles<3>& triangles = membrane.triangles;
+  const double across = triangles.fabric == Fabric::yarns ? triangles.weft_strength : membrane.strength;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const auto& corner : triangles.corner) out.connectivity.push_back(first + corner[t]);
+    const double share = std::max(membrane.tension[t] / membrane.strength, triangles.cross_tension[t] / across);
+    out.fields[0].values.push_back(narrow(membrane.tension[t]));
+    out.fields[1].values.push_back(narrow(membrane.strain[t]));
+    out.fields[2].values.push_back(membrane.strength > 0 ? narrow(share) : none);
+    out.fields[3].values.push_back(narrow(triangles.cross_tension[t]));
     out.membrane.push_back(index);
   }
 }
@@ -143,13 +161,21 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   Snapshot snapshot;
   snapshot.t = state.t;
   snapshot.particles = copy_particles(state, materials);
-  snapshot.membranes.fields = {
-      {"tension", {}, {}},        {"strain", {}, {}},        {"utilisation", {}, {}}, {"contents_pressure", {}, {}},
-      {"water_pressure", {}, {}}, {"pore_pressure", {}, {}}, {"seepage", {}, {}}};
-  for (std::size_t m = 0; m < state.membranes.size(); ++m)
-    if (state.membranes[m].field != waiting)
-      append_membrane(state.membranes[m], static_cast<std::uint32_t>(m), snapshot.membranes);
-  snapshot.has_rigid = !state.rigid.empty();
+  snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
+  if constexpr (Dim == 2) {
+    for (const char* name : {"contents_pressure", "water_pressure", "pore_pressure", "seepage"})
+      snapshot.membranes.fields.push_back({name, {}, {}});
+  } else {
+    snapshot.membranes.fields.push_back({"cross_tension", {}, {}});
+    snapshot.membranes.corners = 3;
+  }
+  for (std::size_t m = 0; m < state.membranes.size(); ++m) {
+    const auto index = static_cast<std::uint32_t>(m);
+    if (state.membranes[m].field == waiting) continue;
+    if constexpr (Dim == 2) append_membrane(state.membranes[m], index, snapshot.membranes);
+    if constexpr (Dim == 3) append_triangles(state.membranes[m], index, snapshot.membranes);
+  }
+  snapshot.has_rigid = Dim == 2 && !state.rigid.empty();
   snapshot.rigid.fields = {{"velocity", vector_components, {}}};
   if constexpr (Dim == 2)
     for (std::size_t r = 0; r < state.rigid.size(); ++r)

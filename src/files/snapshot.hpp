@@ -45,11 +45,12 @@ struct ParticleSnapshot {
   std::vector<std::uint32_t> id;        ///< index within the body at the start
 };
 
-/// Segments of all membranes.
+/// Segments, or in space triangles, of all membranes.
 struct MembraneSnapshot {
   std::vector<double> points;  ///< three per node [m]
   Precision precision = Precision::single;
-  std::vector<std::uint32_t> connectivity;  ///< two nodes per segment
+  int corners = 2;                          ///< of a segment; of a triangle 3
+  std::vector<std::uint32_t> connectivity;  ///< that many nodes per segment
   std::vector<Field> fields;                ///< per segment
   std::vector<std::uint32_t> membrane;      ///< index in the scene, per segment
 };
@@ -68,7 +69,7 @@ struct Snapshot {
   std::size_t index = 0;  ///< of the frame, in file names
   ParticleSnapshot particles;
   MembraneSnapshot membranes;  ///< empty if the scene has none
-  bool has_rigid = false;      ///< the scene has rigid bodies, there or not
+  bool has_rigid = false;      ///< the scene, of the plane, has rigid bodies, there or not
   RigidSnapshot rigid;
 };
 

@@ -118,14 +118,17 @@ vtkSmartPointer<vtkCellArray> make_cells(vtkTypeInt32Array* connectivity, int si
   return array;
 }
 
-/// Lines of two points each.
+/// Lines of two points each, or triangles of three.
 template <class LineSnapshot>
-vtkSmartPointer<vtkPolyData> make_lines(const LineSnapshot& snapshot) {
+vtkSmartPointer<vtkPolyData> make_lines(const LineSnapshot& snapshot, int corners = 2) {
   auto lines = vtkSmartPointer<vtkPolyData>::New();
   set_points(lines, snapshot.points, snapshot.precision);
   vtkNew<vtkTypeInt32Array> connectivity;
   for (const std::uint32_t node : snapshot.connectivity) connectivity->InsertNextValue(static_cast<vtkTypeInt32>(node));
-  lines->SetLines(make_cells(connectivity, 2));
+  if (corners == 2)
+    lines->SetLines(make_cells(connectivity, corners));
+  else
+    lines->SetPolys(make_cells(connectivity, corners));
   return lines;
 }
 
@@ -202,7 +205,7 @@ void write_particles(const std::filesystem::path& path, const ParticleSnapshot& 
 
 void write_membranes(const std::filesystem::path& path, const MembraneSnapshot& membranes, double t,
                      Compression compression) {
-  const auto lines = make_lines(membranes);
+  const auto lines = make_lines(membranes, membranes.corners);
   add_fields(lines->GetCellData(), membranes.fields);
   add_numbers(lines->GetCellData(), "membrane", membranes.membrane);
   write_lines(lines, t, path, compression);

@@ -4,6 +4,7 @@
 #include "ellipse.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,11 @@ std::vector<Chord> chords_of(const HalfPlaneShape& half, const Point& x, std::si
   if (slope == 0) return height <= 0 ? std::vector<Chord>{{-kInfinity, kInfinity}} : std::vector<Chord>{};
   const double cut = half.point[axis] - height / slope;
   return {slope > 0 ? Chord{-kInfinity, cut} : Chord{cut, kInfinity}};
+}
+
+std::vector<Chord> chords_of(const InsideShape&, const Point&, std::size_t) {
+  assert(false && "BodyRegion::share has the exact volume of these");
+  return {};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <geodrop/geometry/shapes.hpp>
+#include <geodrop/geometry/triangle_surface.hpp>
 
 #include "ellipse.hpp"
 
@@ -117,6 +118,9 @@ bool contains_point(const PolygonShape& polygon, const Point& x) {
   return inside;
 }
 bool contains_point(const HalfPlaneShape& half, const Point& x) { return height_over(half, x) <= 0; }
+bool contains_point(const InsideShape& inside, const Point& x) {
+  return inside.region && x.size() == 3 && inside.region->contains({x[0], x[1], x[2]});
+}
 
 Bounds bounds_of(const BoxShape& box) { return {box.lower, box.upper}; }
 Bounds bounds_of(const EllipseShape& ellipse) {
@@ -146,10 +150,17 @@ Bounds bounds_of(const HalfPlaneShape& half) {
   return {Point(half.point.size(), -kInfinity), Point(half.point.size(), kInfinity)};
 }
 
+Bounds bounds_of(const InsideShape& inside) {
+  if (!inside.region) return {Point(3, kInfinity), Point(3, -kInfinity)};
+  const Corner &lower = inside.region->lower(), &upper = inside.region->upper();
+  return {Point(lower.begin(), lower.end()), Point(upper.begin(), upper.end())};
+}
+
 double area_of(const BoxShape& box) { return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]); }
 double area_of(const EllipseShape& ellipse) { return std::numbers::pi * ellipse.semi_axes[0] * ellipse.semi_axes[1]; }
 double area_of(const PolygonShape& polygon) { return std::abs(signed_area(polygon.points)); }
 double area_of(const HalfPlaneShape&) { return kInfinity; }
+double area_of(const InsideShape&) { return assert(false && "for the plane"), 0; }
 
 std::vector<Point> outline_of(const BoxShape& box, double spacing) { return divide_edges(corners(box), spacing); }
 std::vector<Point> outline_of(const PolygonShape& polygon, double spacing) {
@@ -161,15 +172,21 @@ std::vector<Point> outline_of(const HalfPlaneShape&, double) {
   return {};
 }
 
+std::vector<Point> outline_of(const InsideShape&, double) {
+  return assert(false && "for the plane"), std::vector<Point>{};
+}
+
 double perimeter_of(const BoxShape& box) { return length_around(corners(box)); }
 double perimeter_of(const PolygonShape& polygon) { return length_around(polygon.points); }
 double perimeter_of(const EllipseShape& ellipse) { return ellipse_perimeter(ellipse); }
 double perimeter_of(const HalfPlaneShape&) { return kInfinity; }
+double perimeter_of(const InsideShape&) { return assert(false && "for the plane"), 0; }
 
 double distance_of(const BoxShape& box, const Point& x) { return distance_around(corners(box), x); }
 double distance_of(const PolygonShape& polygon, const Point& x) { return distance_around(polygon.points, x); }
 double distance_of(const EllipseShape& ellipse, const Point& x) { return distance_to_ellipse(ellipse, x); }
 double distance_of(const HalfPlaneShape& half, const Point& x) { return std::abs(height_over(half, x)); }
+double distance_of(const InsideShape&, const Point&) { return assert(false && "for the plane"), 0; }
 
 }  // namespace
 

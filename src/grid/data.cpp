@@ -45,6 +45,17 @@ void add_constants(const Membrane<Dim>& m, Hasher& hash) {
   hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
            m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.roughness,
            m.drag_coefficient, m.fluid_density, m.permeance);
+  if constexpr (Dim == 3) {
+    const auto& t = m.triangles;
+    hash.add(t.fabric, t.poisson_ratio, t.weft_stiffness, t.weft_strength, t.mass_per_area, t.gauge_pressure, t.corner,
+             t.inverse_rest, t.rest_area);
+  }
+}
+
+template <int Dim>
+void add_tension(const Membrane<Dim>& m, Hasher& hash) {
+  hash.add(m.strain, m.tension, m.gauge);
+  if constexpr (Dim == 3) hash.add(m.triangles.cross_tension);
 }
 
 template <int Dim>
@@ -85,7 +96,7 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
     case Data::membrane_velocity:
       return hash.add(membrane.v);
     case Data::membrane_tension:
-      return hash.add(membrane.strain, membrane.tension, membrane.gauge);
+      return add_tension(membrane, hash);
     case Data::membrane_cloth:
       return hash.add(membrane.rest_length, membrane.mass, membrane.contents_pressure);
     case Data::membrane_load:
@@ -136,11 +147,17 @@ void add_cut(const CutCells& cells, Hasher& hash) {
   for (const CutCells::Piece& piece : cells.pieces) hash.add(piece.cell, piece.edge, piece.from, piece.to);
 }
 
+void add_clipped(const ClippedCells& cells, Hasher& hash) {
+  hash.add(cells.first, cells.count, cells.inside, cells.upper_face);
+  for (const ClippedCells::Piece& piece : cells.pieces) hash.add(piece.cell, piece.triangle, piece.share);
+}
+
 template <int Dim>
 void add_cells_of_bodies(Data item, const Grid<Dim>& grid, Hasher& hash) {
   if (item == Data::enclosed_cells)
     for (const EnclosedCells& cells : grid.enclosed) {
-      add_cut(cells, hash);
+      if constexpr (Dim == 2) add_cut(cells, hash);
+      if constexpr (Dim == 3) add_clipped(cells.space, hash);
       hash.add(cells.host, cells.volume, cells.pressure, cells.rate);
     }
   if (item == Data::cut_cells) {

@@ -86,8 +86,11 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
 /// 0.02 to 0.1 served in trials with columns, dam breaks and bags in water.
 constexpr double light_share = 0.02;
 
+/// Of a membrane in space alone: its own mass in a cell.
 double lightest_density(const Scene& scene, const std::vector<BodySpec>& bodies) {
   double density = std::numeric_limits<double>::infinity();
+  for (const MembraneSpec& membrane : scene.membranes)
+    if (bodies.empty()) density = std::min(density, membrane.mass_per_area / scene.grid.spacing);
   for (const BodySpec& body : bodies)
     if (const MaterialSpec* material = find_material(scene, body.material))
       density = std::min(density, reference_density(make_material(*material)));

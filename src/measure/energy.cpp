@@ -5,6 +5,7 @@
 
 #include "base/fixed_order_sum.hpp"
 #include "materials/neo_hookean.hpp"
+#include "membrane/triangles.hpp"
 #include "spread.hpp"
 
 namespace geodrop {
@@ -69,6 +70,7 @@ Totals<Dim> membrane_totals(const Membrane<Dim>& membrane, const Point& gravity)
   Totals<Dim> sums;
   for (std::size_t i = 0; i < membrane.nodes(); ++i)
     add_mass<Dim>(sums, membrane.mass[i], membrane.x, membrane.v, gravity, i);
+  if constexpr (Dim == 3) sums.membrane = cloth_energy(membrane);
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     const double stretch = std::max(0.0, membrane.strain[s]);
     sums.membrane += 0.5 * membrane.axial_stiffness * stretch * stretch * membrane.rest_length[s];

@@ -70,7 +70,16 @@ void list_membrane(HistoryRow& row, const std::string& name, const MembraneMeasu
   row.add_vector(name + ".tension_gauge", "m", membrane.gauge_at, Dim);
   row.add(name + ".tension_gauge_time_s", membrane.gauge_time);
   if (Dim == 2 && closed) row.add(name + ".area_m2", membrane.area);
-  row.add(name + ".length_m", membrane.length);
+  if constexpr (Dim == 2) row.add(name + ".length_m", membrane.length);
+  if constexpr (Dim == 3) {
+    row.add(name + ".tension_std_N_m", membrane.tension_deviation);
+    row.add(name + ".cross_tension_mean_N_m", membrane.cross_tension_mean);
+    row.add(name + ".cross_tension_std_N_m", membrane.cross_tension_deviation);
+    row.add(name + ".cloth_area_m2", membrane.area);
+    row.add(name + ".volume_m3", membrane.volume);
+    row.add_vector(name + ".lower", "m", membrane.lower, Dim);
+    row.add_vector(name + ".upper", "m", membrane.upper, Dim);
+  }
   row.add(name + ".utilisation_max", membrane.utilisation_max);
 }
 
@@ -105,10 +114,11 @@ void list_sharp(HistoryRow&, const Scene&, const State<3>*) {}
 /// Sums over all points in contact, in the step before.
 template <int Dim>
 void list_contact(HistoryRow& row, const std::string& name, const RigidContact<Dim>& contact) {
-  row.add(name + ".normal_force_N_m", contact.normal_sum);
-  row.add(name + ".friction_force_N_m", contact.friction_sum);
-  row.add_vector(name + ".normal_force", "N_m", contact.normal_force, Dim);
-  row.add_vector(name + ".friction_force", "N_m", contact.friction_force, Dim);
+  const std::string unit = Dim == 2 ? "N_m" : "N";  // per metre of depth in the plane
+  row.add(name + ".normal_force_" + unit, contact.normal_sum);
+  row.add(name + ".friction_force_" + unit, contact.friction_sum);
+  row.add_vector(name + ".normal_force", unit, contact.normal_force, Dim);
+  row.add_vector(name + ".friction_force", unit, contact.friction_force, Dim);
   row.add(name + ".friction_work_J", contact.friction_work);
   row.add(name + ".damping_work_J", contact.damping_work);
 }

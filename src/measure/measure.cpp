@@ -10,6 +10,7 @@
 #include "base/fixed_order_sum.hpp"
 #include "geometry/polygon.hpp"
 #include "membrane/bounds.hpp"
+#include "membrane/triangles.hpp"
 
 namespace geodrop {
 namespace {
@@ -107,6 +108,53 @@ CentredSums<Dim> sum_about(const Body<Dim>& body, const Vec<Dim>& centre, const 
   });
 }
 
+/// Mean and standard deviation over the cloth at rest.
+struct MeanAndDeviation {
+  double weight = 0, sum = 0, squares = 0;
+  void add(double w, double value) {
+    weight += w;
+    sum += w * value;
+    squares += w * value * value;
+  }
+  double mean() const { return sum / weight; }
+  double deviation() const { return std::sqrt(std::max(0.0, squares / weight - mean() * mean())); }
+};
+
+void measure_gauge(const Membrane<3>& membrane, MembraneMeasures<3>& measures) {
+  measures.gauge_peak = membrane.gauge.peak;
+  measures.gauge_time = membrane.gauge.peak_time;
+  measures.gauge_at = Vec<3>(membrane.gauge.peak_at.data());
+  measures.utilisation_max = utilisation(membrane);
+}
+
+MembraneMeasures<3> measure_triangles(const Membrane<3>& membrane) {
+  MembraneMeasures<3> measures;
+  const MembraneTriangles<3>& triangles = membrane.triangles;
+  MeanAndDeviation tension, cross;
+  measures.tension_max = -1;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    tension.add(triangles.rest_area[t], membrane.tension[t]);
+    cross.add(triangles.rest_area[t], triangles.cross_tension[t]);
+    measures.area += 0.5 * normal_of(membrane, t).norm();
+    const double larger = std::max(membrane.tension[t], triangles.cross_tension[t]);
+    if (larger <= measures.tension_max) continue;
+    measures.tension_max = larger;
+    measures.tension_max_at = middle_of(membrane, t);
+  }
+  const Box<3> box = bounds(membrane, 0);
+  measures.lower = box.lower;
+  measures.upper = box.upper;
+  measures.tension_mean = tension.mean();
+  measures.tension_deviation = tension.deviation();
+  measures.cross_tension_mean = cross.mean();
+  measures.cross_tension_deviation = cross.deviation();
+  measures.tension_p95 = percentile({membrane.tension.begin(), membrane.tension.end()}, 95);
+  measures.volume = enclosed_volume(membrane);
+  measures.length = not_there;
+  measure_gauge(membrane, measures);
+  return measures;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -152,6 +200,7 @@ BodyMeasures<Dim> measure(const Body<Dim>& body, double radius) {
 
 template <int Dim>
 MembraneMeasures<Dim> measure(const Membrane<Dim>& membrane) {
+  if constexpr (Dim == 3) return measure_triangles(membrane);
   MembraneMeasures<Dim> measures;
   measures.tension_max = -1;  // a slack membrane still has a place of its largest tension
   double rest_length = 0, weighted = 0, squares = 0;

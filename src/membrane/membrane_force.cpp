@@ -6,6 +6,7 @@
 #include "geometry/polygon.hpp"
 #include "grid/point_support.hpp"
 #include "tension_gauge.hpp"
+#include "triangles.hpp"
 
 namespace geodrop {
 namespace {
@@ -79,6 +80,7 @@ std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<doub
 
 template <int Dim>
 void update_tension(Membrane<Dim>& membrane) {
+  if constexpr (Dim == 3) return update_triangles(membrane);
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     membrane.strain[s] = length(segment_vector(membrane, s)) / membrane.rest_length[s] - 1;
     membrane.tension[s] = std::max(0.0, membrane.axial_stiffness * membrane.strain[s]);
@@ -87,6 +89,7 @@ void update_tension(Membrane<Dim>& membrane) {
 
 template <int Dim>
 std::array<Array<double>, Dim> membrane_forces(const Membrane<Dim>& membrane) {
+  if constexpr (Dim == 3) return triangle_forces(membrane);
   std::array<Array<double>, Dim> force;
   for (auto& component : force) component.assign(membrane.nodes(), 0.0);
   for (std::size_t r = 0; r < membrane.segments(); ++r) {

@@ -1,4 +1,5 @@
-// Tension-only membranes of two-node segments, and their transfer to and from the grid.
+// Tension-only membranes of two-node segments, or in space of triangles (triangles.hpp), and their transfer to and from
+// the grid.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
@@ -6,7 +7,7 @@
 
 namespace geodrop {
 
-/// Strain e = (L - L0)/L0 of each segment, T = max(0, J e): fills `strain` and `tension`.
+/// Strain e = (L - L0)/L0 of each segment, T = max(0, J e): fills `strain` and `tension`. In space those of triangles.
 template <int Dim>
 void update_tension(Membrane<Dim>& membrane);
 

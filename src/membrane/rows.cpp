@@ -6,15 +6,25 @@
 #include "fluid_load.hpp"
 #include "membrane_force.hpp"
 #include "slide_membranes.hpp"
+#include "surface_load.hpp"
 
 namespace geodrop {
 
-Row<2> clear_loads_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> clear_loads_row(const Scene& scene) {
   return {"clear_loads",
           {},
           Data::membrane_load,
           any_membrane_load(scene),
-          [](State<2>& s, const Grids<2>&, const StepContext&) { clear_membrane_loads(s); }};
+          [](State<Dim>& s, const Grids<Dim>&, const StepContext&) { clear_membrane_loads(s); }};
+}
+
+Row<3> surface_pressure_row(const Scene& scene) {
+  return {"surface_pressure", Data::membranes | Data::membrane_position, Data::membrane_load,
+          any_surface_pressure(scene),
+          [columns = still_columns(scene)](State<3>& s, const Grids<3>&, const StepContext&) {
+            add_surface_pressure(columns, s);
+          }};
 }
 
 Row<2> still_fluids_row(const Scene& scene) {
@@ -66,6 +76,7 @@ Row<Dim> grid_to_tracers_row(const Scene& scene) {
 }
 
 #define GEODROP_INSTANTIATE(D)                            \
+  template Row<D> clear_loads_row<D>(const Scene&);       \
   template Row<D> membranes_to_grid_row<D>(const Scene&); \
   template Row<D> grid_to_membranes_row<D>(const Scene&); \
   template Row<D> grid_to_tracers_row<D>(const Scene&);

@@ -5,7 +5,9 @@
 
 namespace geodrop {
 
-Row<2> clear_loads_row(const Scene& scene);
+template <int Dim>
+Row<Dim> clear_loads_row(const Scene& scene);
+Row<3> surface_pressure_row(const Scene& scene);
 Row<2> still_fluids_row(const Scene& scene);
 Row<2> even_out_nodes_row(const Scene& scene);
 Row<2> slide_membranes_row(const Scene& scene);

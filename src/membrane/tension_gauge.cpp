@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/polygon.hpp"
+#include "triangles.hpp"
 
 namespace geodrop {
 namespace {
@@ -33,10 +34,28 @@ struct AlongLine {
   }
 };
 
+/// Of the larger of the two tensions of each triangle: a triangle is as wide as a gauge, and there is no line.
+GaugeMean<3> largest_of_triangles(const Membrane<3>& membrane, const Array<double>& values) {
+  const auto largest = std::max_element(values.begin(), values.end());
+  const Eigen::Vector3d at = middle_of(membrane, static_cast<std::size_t>(largest - values.begin()));
+  return {*largest, {at[0], at[1], at[2]}};
+}
+
+template <int Dim>
+std::size_t count_tensions(const Membrane<Dim>& membrane) {
+  return membrane.tension.size();
+}
+
+template <int Dim>
+double tension_of(const Membrane<Dim>& membrane, std::size_t s) {
+  if constexpr (Dim == 3) return std::max(membrane.tension[s], membrane.triangles.cross_tension[s]);
+  return membrane.tension[s];
+}
+
 template <int Dim>
 void end_window(Membrane<Dim>& membrane) {
   TensionGauge<Dim>& gauge = membrane.gauge;
-  const std::size_t n = membrane.segments();
+  const std::size_t n = count_tensions(membrane);
   ++gauge.windows;
   const std::size_t running = gauge.windows % gauge_slots;
   const auto slot = [&](std::size_t i) { return gauge.sums.begin() + static_cast<std::ptrdiff_t>(i * n); };
@@ -58,6 +77,7 @@ void end_window(Membrane<Dim>& membrane) {
 
 template <int Dim>
 GaugeMean<Dim> largest_gauge_mean(const Membrane<Dim>& membrane, const Array<double>& values) {
+  if constexpr (Dim == 3) return largest_of_triangles(membrane, values);
   const AlongLine<Dim> line(membrane, values);
   const std::size_t n = membrane.segments();
   const double whole = line.rest[n], gauge = std::min(membrane.gauge_length, whole);
@@ -85,7 +105,7 @@ template <int Dim>
 void add_to_gauge(double t, double dt, Membrane<Dim>& membrane) {
   TensionGauge<Dim>& gauge = membrane.gauge;
   if (gauge.sums.empty()) return;
-  const std::size_t n = membrane.segments();
+  const std::size_t n = count_tensions(membrane);
   const double end = t + dt;
   // A membrane of a later stage begins with windows without tension.
   const auto begun = static_cast<std::uint64_t>(t / gauge_window);
@@ -94,7 +114,7 @@ void add_to_gauge(double t, double dt, Membrane<Dim>& membrane) {
     const double border = static_cast<double>(gauge.windows + 1) * gauge_window;
     const double part = std::max(0.0, std::min(end, border) - from);
     double* running = &gauge.sums[gauge.windows % gauge_slots * n];
-    for (std::size_t s = 0; s < n; ++s) running[s] += part * membrane.tension[s];
+    for (std::size_t s = 0; s < n; ++s) running[s] += part * tension_of(membrane, s);
     if (end < border) return;
     end_window(membrane);
     from = border;

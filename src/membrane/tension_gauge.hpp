@@ -22,7 +22,7 @@ template <int Dim>
 void restart_peak(TensionGauge<Dim>& gauge);
 
 /// The largest mean of `values` of segments over any stretch of the gauge length (rest length), and its middle. A line
-/// that is shorter: its mean.
+/// that is shorter: its mean. In space the largest value of a triangle.
 template <int Dim>
 struct GaugeMean {
   double mean = 0;

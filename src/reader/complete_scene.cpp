@@ -137,7 +137,8 @@ class TableWalker {
 
   bool accept_named(const Key& key, const toml::node& node, const std::string& path) {
     const toml::table* tables = node.as_table();
-    if (!tables || tables->empty()) return wrong_form(key, node, path);
+    const bool needs_one = key.need.how == Need::How::required;
+    if (!tables || (needs_one && tables->empty())) return wrong_form(key, node, path);
     toml::table named;
     for (const auto& [name, element] : *tables) {
       const std::string element_path = join_path(path, name.str());

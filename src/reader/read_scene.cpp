@@ -5,6 +5,7 @@
 #include "former_words.hpp"
 #include "overrides.hpp"
 #include "reader/checks/check_scene.hpp"
+#include "setup/draw_surface.hpp"
 #include "write_scene.hpp"
 
 #include <utility>
@@ -32,6 +33,33 @@ std::vector<std::string> notes_of(const std::string& path, const Report& report)
   return notes;
 }
 
+/// Surfaces of membranes in space, and the bodies inside them.
+void draw_surfaces(const std::string& path, Scene& scene, Report& report) {
+  if (scene.dimension != 3 || !report.healthy("dimension") || !report.healthy("grid")) return;
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
+    MembraneSpec& membrane = scene.membranes[m];
+    const std::string& key = report.element("membranes", m);
+    if (!report.healthy(key + ".surface") || !report.healthy(key + ".segments_per_cell")) continue;
+    const SurfaceFault fault = draw_surface(scene.grid, path, membrane);
+    if (!fault.found.empty()) report.add(key + ".surface", fault.found, fault.allowed);
+    for (BodySpec& body : scene.bodies)
+      if (auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == membrane.name)
+        inside->region = membrane.drawn.region;
+  }
+}
+
+/// The scene as run is read again from another directory.
+void make_paths_absolute(const std::string& path, toml::table& complete) {
+  toml::array* membranes = complete["membranes"].as_array();
+  for (std::size_t m = 0; membranes && m < membranes->size(); ++m) {
+    toml::table& membrane = *membranes->get(m)->as_table();
+    toml::table* surface = membrane["surface"].as_table();
+    if (!surface) continue;
+    if (const auto file = (*surface)["file"].value<std::string>())
+      surface->insert_or_assign("file", surface_path(path, *file));
+  }
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
@@ -41,7 +69,9 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   apply_overrides(written, overrides, report);
   rename_former_words(written, report);  // in the values of overrides
   Scene scene;
-  const toml::table complete = complete_scene(written, scene, report);
+  toml::table complete = complete_scene(written, scene, report);
+  make_paths_absolute(path, complete);
+  draw_surfaces(path, scene, report);
   check_scene(scene, report);
   if (!report.problems().empty()) throw SceneError(path, report.problems());
   scene.file = path;

@@ -35,8 +35,15 @@ bool any_model_drag(const Scene& scene) {
 
 bool any_membrane_load(const Scene& scene) {
   return any_membrane_contact(scene) || any_model_drag(scene) || !scene.still_fluids.empty() ||
-         any_body_with(scene, PressureSupport::enclosed);
+         any_body_with(scene, PressureSupport::enclosed) || any_surface_pressure(scene);
 }
+
+bool any_surface_pressure(const Scene& scene) {
+  return scene.dimension == 3 &&
+         (!scene.still_fluids.empty() || std::any_of(scene.membranes.begin(), scene.membranes.end(), presses_out));
+}
+
+bool presses_out(const MembraneSpec& membrane) { return membrane.gauge_pressure != 0; }
 
 bool any_pores(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
@@ -65,7 +72,7 @@ double contents_friction(const Scene& scene, const MembraneSpec& membrane) {
 }
 
 bool slides(const Scene& scene, const MembraneSpec& membrane) {
-  return membrane.axial_stiffness > 0 && std::isfinite(contents_friction(scene, membrane));
+  return scene.dimension == 2 && membrane.axial_stiffness > 0 && std::isfinite(contents_friction(scene, membrane));
 }
 
 bool any_membrane_slides(const Scene& scene) {

@@ -16,6 +16,10 @@ bool any_model_drag(const Scene& scene);
 /// Something loads membrane nodes directly, not through the grid.
 bool any_membrane_load(const Scene& scene);
 
+/// Pressures act on membranes in space: their own gauge pressure, or that of fluids at rest.
+bool any_surface_pressure(const Scene& scene);
+bool presses_out(const MembraneSpec& membrane);
+
 /// A coupled soil, whose pore water is a body of its own.
 bool any_pores(const Scene& scene);
 /// Whether this body is the water in the pores of another.

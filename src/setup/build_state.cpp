@@ -1,8 +1,10 @@
 // From the scene to the state at t = 0.
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <geodrop/base/find_named.hpp>
 #include <geodrop/geometry/shapes.hpp>
+#include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/grid/graded_axis.hpp>
 #include <geodrop/measure/measure.hpp>
 #include <geodrop/scene/velocity_fields.hpp>
@@ -16,11 +18,13 @@
 #include "boundary/silent_side.hpp"
 #include "boundary/viscous_boundary.hpp"
 #include "contact/membrane_contact.hpp"
+#include "contact/space_contact.hpp"
 #include "contact/surface_contact.hpp"
 #include "fill_particles.hpp"
 #include "measure/probes/probes.hpp"
 #include "membrane/membrane_nodes.hpp"
 #include "membrane/tension_gauge.hpp"
+#include "membrane/triangles.hpp"
 #include "scene/needs.hpp"
 #include "scene_stages.hpp"
 #include "solutions/initial_stress.hpp"
@@ -117,17 +121,15 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   return body;
 }
 
-template <int Dim>
-double distance(const Membrane<Dim>& membrane, std::size_t a, std::size_t b) {
+double distance(const Membrane<2>& membrane, std::size_t a, std::size_t b) {
   double sum = 0;
-  for (int d = 0; d < Dim; ++d) sum += std::pow(membrane.x[d][a] - membrane.x[d][b], 2);
+  for (int d = 0; d < 2; ++d) sum += std::pow(membrane.x[d][a] - membrane.x[d][b], 2);
   return std::sqrt(sum);
 }
 
 /// Rest length is the drawn length times 1 + slack; the fabric keeps its mass per rest length.
-template <int Dim>
-Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
-  Membrane<Dim> membrane;
+Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec) {
+  Membrane<2> membrane;
   membrane.name = spec.name;
   membrane.body = spec.body;
   membrane.closed = spec.closed;
@@ -138,7 +140,7 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   membrane.half_size = 0.5 / spec.segments_per_cell;
   const std::vector<Point> nodes = membrane_nodes(scene, spec);
   const std::size_t n = nodes.size();
-  for (int a = 0; a < Dim; ++a) {
+  for (int a = 0; a < 2; ++a) {
     membrane.v[a].assign(n, 0.0);
     for (const Point& x : nodes) membrane.x[a].push_back(x[a]);
   }
@@ -178,6 +180,73 @@ Membrane<Dim> build_membrane(const Scene& scene, const MembraneSpec& spec) {
     }
   }
   return membrane;
+}
+
+/// The body that a membrane in space encloses; "" if it is empty.
+std::string body_inside(const Scene& scene, const MembraneSpec& spec) {
+  for (const BodySpec& body : scene.bodies)
+    if (const auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == spec.name)
+      return body.name;
+  return "";
+}
+
+/// Corners, areas and edges at rest, (1 + slack) times what the cloth is cut out as.
+void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Membrane<3>& membrane) {
+  const std::vector<Corner>& flat = surface.unstretched.empty() ? surface.points : surface.unstretched;
+  const Eigen::Vector3d warp = spec.warp.empty() ? Eigen::Vector3d::UnitX() : Eigen::Vector3d(spec.warp.data());
+  MembraneTriangles<3>& triangles = membrane.triangles;
+  for (const auto& triangle : surface.triangles) {
+    std::array<Eigen::Vector3d, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = (1 + spec.slack) * Eigen::Vector3d(flat[triangle[k]].data());
+      triangles.corner[k].push_back(triangle[k]);
+    }
+    const Eigen::Matrix2d edges = rest_edges(corners, warp), inverse = edges.inverse();
+    for (int c = 0; c < 4; ++c) triangles.inverse_rest[static_cast<std::size_t>(c)].push_back(inverse(c / 2, c % 2));
+    const double area = 0.5 * edges.determinant();
+    triangles.rest_area.push_back(area);
+    for (const std::uint32_t corner : triangle) membrane.mass[corner] += spec.mass_per_area * area / 3;
+  }
+}
+
+Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec) {
+  const TriangleSurface& surface = spec.drawn.region->surface();
+  Membrane<3> membrane;
+  membrane.name = spec.name;
+  membrane.body = body_inside(scene, spec);
+  membrane.axial_stiffness = spec.axial_stiffness;
+  membrane.strength = spec.strength;
+  membrane.half_size = 0.5 / spec.segments_per_cell;
+  membrane.triangles.fabric = spec.fabric;
+  membrane.triangles.poisson_ratio = spec.poisson_ratio;
+  membrane.triangles.weft_stiffness = spec.weft_stiffness;
+  membrane.triangles.weft_strength = spec.weft_strength;
+  membrane.triangles.mass_per_area = spec.mass_per_area;
+  membrane.triangles.gauge_pressure = spec.gauge_pressure;
+  const std::size_t n = surface.points.size(), triangles = surface.triangles.size();
+  for (std::size_t a = 0; a < 3; ++a) {
+    membrane.v[a].assign(n, 0.0);
+    for (const Corner& x : surface.points) membrane.x[a].push_back(x[a]);
+  }
+  membrane.mass.assign(n, 0.0);
+  set_triangles(spec, surface, membrane);
+  for (Array<double>* values : {&membrane.strain, &membrane.tension, &membrane.triangles.cross_tension})
+    values->assign(triangles, 0.0);
+  if (spec.axial_stiffness > 0) membrane.gauge.sums.assign(gauge_slots * triangles, 0.0);
+  return membrane;
+}
+
+/// Field 0 if it is empty: an empty one is alone, or in the fluid around.
+int field_of(const State<3>& state, const Membrane<3>& membrane) {
+  return membrane.body.empty() ? 0 : find_named(state.bodies, membrane.body).field;
+}
+int field_of(const State<2>& state, const Membrane<2>& membrane) {
+  return find_named(state.bodies, membrane.body).field;
+}
+
+void add_contacts(const Scene& scene, State<3>& state) {
+  for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_half_space(spec));
+  for (const ContactSpec& spec : scene.contacts) state.rigid_contacts.push_back(make_space_contact(scene, spec, state));
 }
 
 /// The body with the particle nearest to x.
@@ -275,10 +344,12 @@ State<Dim> build_state(const Scene& scene) {
     for (Body<Dim>& body : state.bodies)
       for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
   for (const MembraneSpec& spec : scene.membranes) {
-    state.membranes.push_back(build_membrane<Dim>(scene, spec));
-    state.membranes.back().field = find_named(state.bodies, spec.body).field;
+    if constexpr (Dim == 2) state.membranes.push_back(build_membrane(scene, spec));
+    if constexpr (Dim == 3) state.membranes.push_back(build_surface(scene, spec));
+    state.membranes.back().field = field_of(state, state.membranes.back());
   }
-  if constexpr (Dim == 2) add_contacts(scene, state);
+  add_contacts(scene, state);
+  if (Dim == 3 && any_membrane_load(scene)) allocate_loads(state, [](const Membrane<Dim>&) { return true; });
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   allocate_loads(state, [](const Membrane<Dim>& membrane) { return membrane.drag_coefficient > 0; });

@@ -1,5 +1,7 @@
 #include "site_share.hpp"
 
+#include <geodrop/geometry/triangle_surface.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,9 +38,32 @@ bool is_beyond(const EllipseShape& ellipse, const Bounds& site) {
   return !contains(ellipse, nearest);
 }
 
+Corner to_corner(const Point& x) { return {x[0], x[1], x[2]}; }
+
+/// A surface that does not cut a site leaves it inside or outside as a whole.
+Cover cover_by(const InsideShape& inside, const Bounds& site) {
+  const SurfaceRegion& region = *inside.region;
+  if (region.may_cut(to_corner(site.lower), to_corner(site.upper))) return Cover::part;
+  Corner middle;
+  for (std::size_t a = 0; a < 3; ++a) middle[a] = (site.lower[a] + site.upper[a]) / 2;
+  return region.contains(middle) ? Cover::all : Cover::none;
+}
+
+/// Exact.
+SiteShare<3> share_inside(const InsideShape& inside, const Bounds& site) {
+  const auto [volume, first] = inside.region->moments_in(to_corner(site.lower), to_corner(site.upper));
+  double whole = 1;
+  for (std::size_t a = 0; a < 3; ++a) whole *= site.upper[a] - site.lower[a];
+  SiteShare<3> part{volume / whole, {}};
+  if (volume > 0)
+    for (std::size_t a = 0; a < 3; ++a) part.centroid[a] = std::clamp(first[a] / volume, site.lower[a], site.upper[a]);
+  return part;
+}
+
 /// Cheap, for the many sites that no outline crosses.
 Cover cover_by(const Shape& shape, const Bounds& site) {
   if (apart(site, bounds(shape))) return Cover::none;
+  if (const auto* inside = std::get_if<InsideShape>(&shape)) return cover_by(*inside, site);
   if (!std::holds_alternative<PolygonShape>(shape)) {
     // All other shapes are convex, so their corners decide; what is outside of a half-plane is convex as well.
     const CornerCount corners = count_corners(shape, site);
@@ -197,6 +222,27 @@ SiteShare<3> integrate_in_space(const CutSite& cut) {
   return sum;
 }
 
+/// Exact where a surface and no other outline cuts the site.
+SiteShare<3> without_surfaces(const CutSite& cut) {
+  const auto surface_of = [](const Shape* shape) { return shape ? std::get_if<InsideShape>(shape) : nullptr; };
+  std::vector<const Shape*> others;
+  for (const Shape* hole : cut.holes)
+    if (!surface_of(hole)) others.push_back(hole);
+  const InsideShape* inside = surface_of(cut.shape);
+  SiteShare<3> sum = inside ? share_inside(*inside, cut.site) : integrate_in_space({cut.site, cut.shape, others});
+  for (const Shape* hole : cut.holes) {
+    if (!surface_of(hole)) continue;
+    const SiteShare<3> gone = share_inside(*surface_of(hole), cut.site);
+    const double left = sum.share - gone.share;
+    if (!(left > 0)) return {};
+    for (std::size_t a = 0; a < 3; ++a)
+      sum.centroid[a] = std::clamp((sum.share * sum.centroid[a] - gone.share * gone.centroid[a]) / left,
+                                   cut.site.lower[a], cut.site.upper[a]);
+    sum.share = left;
+  }
+  return sum;
+}
+
 }  // namespace
 
 BodyRegion::BodyRegion(const Scene& scene, const BodySpec& spec) : shape_(&spec.shape) {
@@ -234,7 +280,7 @@ SiteShare<Dim> BodyRegion::share(const Bounds& site) const {
   const CutSite region{site, inside == Cover::all ? nullptr : shape_, holes};
   SiteShare<Dim> cut;
   if constexpr (Dim == 2) cut = integrate(region);
-  if constexpr (Dim == 3) cut = integrate_in_space(region);
+  if constexpr (Dim == 3) cut = without_surfaces(region);
   if (cut.share < rounding) return {};
   return cut.share > 1 - rounding ? whole_site<Dim>(site) : cut;
 }

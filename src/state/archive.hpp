@@ -29,6 +29,10 @@ inline constexpr bool is_membrane = false;
 template <int Dim>
 inline constexpr bool is_membrane<Membrane<Dim>> = true;
 template <class T>
+inline constexpr bool is_membrane_triangles = false;
+template <int Dim>
+inline constexpr bool is_membrane_triangles<MembraneTriangles<Dim>> = true;
+template <class T>
 inline constexpr bool is_tension_gauge = false;
 template <int Dim>
 inline constexpr bool is_tension_gauge<TensionGauge<Dim>> = true;
@@ -55,6 +59,18 @@ auto listed_fields(Owner& owner) {
   return std::apply([&](const auto&... entry) { return std::tie(owner.*entry.values...); }, fields_of(owner));
 }
 
+template <class Triangles>
+auto triangle_members(Triangles& triangles) {
+  if constexpr (std::is_same_v<std::remove_const_t<Triangles>, MembraneTriangles<2>>) {
+    return std::tie();
+  } else {
+    auto& [fabric, poisson_ratio, weft_stiffness, weft_strength, mass_per_area, gauge_pressure, corner, inverse_rest,
+           rest_area, cross_tension] = triangles;
+    return std::tie(fabric, poisson_ratio, weft_stiffness, weft_strength, mass_per_area, gauge_pressure, corner,
+                    inverse_rest, rest_area, cross_tension);
+  }
+}
+
 /// References to all members of a part of the state, const if the part is.
 template <class Part>
 auto members(Part& part) {
@@ -73,11 +89,13 @@ auto members(Part& part) {
     auto& [name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length, half_size, x,
            v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed, bed_friction, shear,
            wall_friction, roughness, drag_coefficient, fluid_density, water_pressure, water_shear, bed_shear, permeance,
-           pore_pressure, seepage] = part;
+           pore_pressure, seepage, triangles] = part;
     return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length,
                     half_size, x, v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed,
                     bed_friction, shear, wall_friction, roughness, drag_coefficient, fluid_density, water_pressure,
-                    water_shear, bed_shear, permeance, pore_pressure, seepage);
+                    water_shear, bed_shear, permeance, pore_pressure, seepage, triangles);
+  } else if constexpr (is_membrane_triangles<Plain>) {
+    return triangle_members(part);
   } else if constexpr (is_tension_gauge<Plain>) {
     auto& [windows, sums, now, now_at, peak, peak_time, peak_at] = part;
     return std::tie(windows, sums, now, now_at, peak, peak_time, peak_at);

@@ -177,6 +177,14 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
                      &M::pore_pressure, &M::seepage) &&
                    membrane.gauge.sums.size() == built.gauge.sums.size(),
                "another number of nodes or of their quantities");
+  if constexpr (Dim == 3) {
+    using T = MembraneTriangles<3>;
+    part.require(
+        alike(membrane.triangles, built.triangles, &T::fabric, &T::poisson_ratio, &T::weft_stiffness, &T::weft_strength,
+              &T::mass_per_area, &T::gauge_pressure, &T::inverse_rest, &T::rest_area, &T::cross_tension) &&
+            membrane.triangles.corner == built.triangles.corner,
+        "other triangles");
+  }
   part.require(all_finite(membrane), "a value of a node that is not finite");
   part.require(in_domain<Dim>(layout, membrane.x), "a node outside of the domain");
 }
@@ -196,7 +204,8 @@ void check_rigid_contact(const State<Dim>& state, const RigidContact<Dim>& built
   part.require(
       alike(contact, built, &C::touching, &C::rigid, &C::bare, &C::friction, &C::stiffness, &C::damping, &C::reach),
       "another pair or other settings");
-  part.require(contact.slip.size() == contact.points.size() && contact.side.size() == contact.points.size(),
+  constexpr std::size_t slips = Dim == 2 ? 1 : 3;
+  part.require(contact.slip.size() == slips * contact.points.size() && contact.side.size() == contact.points.size(),
                "another number of points than of what is known of them");
   part.require(contact.half_width.size() == contact.reach.size(), "another number of half widths than of particles");
   std::size_t points = contact.reach.size();

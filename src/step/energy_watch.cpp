@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/text.hpp"
+#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {
@@ -34,8 +35,8 @@ double driving_work(const State<Dim>& state) {
 bool watches_energy(const Scene& scene) {
   for (int a = 0; a < scene.dimension; ++a)
     if (scene.walls.lower[a] == WallKind::periodic && scene.gravity[a] != 0) return false;
-  return scene.pumps.empty() && scene.still_fluids.empty() && scene.viscous_boundaries.empty() &&
-         scene.silent_sides.empty();
+  return scene.pumps.empty() && scene.still_fluids.empty() && !any_surface_pressure(scene) &&
+         scene.viscous_boundaries.empty() && scene.silent_sides.empty();
 }
 
 template <int Dim>

@@ -23,6 +23,19 @@ double density_beside(const State<Dim>& state, const Membrane<Dim>& membrane) {
   return 0;
 }
 
+/// Stiffness over mass of a membrane in a cell [m2/s2], of that of its body beside it or, without a body, its own.
+template <int Dim>
+double membrane_speed_squared(const State<Dim>& state, const Membrane<Dim>& membrane, double h) {
+  const double beside = density_beside(state, membrane) * h;
+  if constexpr (Dim == 2) {
+    return membrane.axial_stiffness / beside;
+  } else {
+    const double nu = membrane.triangles.poisson_ratio;
+    const double stiffness = std::max(membrane.axial_stiffness / (1 - nu * nu), membrane.triangles.weft_stiffness);
+    return stiffness / std::max(beside, membrane.triangles.mass_per_area);
+  }
+}
+
 /// Of compression waves [m2/s2]. A neo-Hookean solid stiffens where it is stretched or squeezed, hence the present
 /// strain of every particle counts; a NaN is left to v_max, which shows it a step later.
 template <int Dim>
@@ -66,6 +79,17 @@ double damped(double dt, double rate) {
   return xi < square_is_all ? dt * (std::sqrt(1 + xi * xi) - xi) : dt / (2 * xi);
 }
 
+/// Mass per area that a penalty moves [kg/m2].
+template <int Dim>
+double mass_on(const State<Dim>& state, const RigidContact<Dim>& contact, double h) {
+  if constexpr (Dim == 2) {
+    return reference_density(touching_body(state, contact).material) * h;
+  } else {
+    const Membrane<3>& membrane = find_named(state.membranes, contact.touching);
+    return std::max(density_beside(state, membrane) * h, membrane.triangles.mass_per_area);
+  }
+}
+
 /// Largest step that penalties allow: k dt^2 / (rho h) = stiffness (c dt / h)^2 <= 1/2, and of their damping
 /// z dt / (rho h) = damping c dt / h <= 1/2.
 template <int Dim>
@@ -75,8 +99,7 @@ double contact_dt(const State<Dim>& state, double h) {
   const auto limit = [&](const auto& contact, double mass) {
     dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
   };
-  for (const RigidContact<Dim>& contact : state.rigid_contacts)
-    limit(contact, reference_density(touching_body(state, contact).material) * h);
+  for (const RigidContact<Dim>& contact : state.rigid_contacts) limit(contact, mass_on(state, contact, h));
   for (const MembraneContact& contact : state.membrane_contacts) {
     double of_both = 0;  // 1 / m + 1 / m, as two bodies on one spring have it
     for (const std::string& name : contact.between)
@@ -131,7 +154,7 @@ double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLa
     nu = std::max(nu, viscosity_in(body));
   }
   for (const Membrane<Dim>& membrane : state.membranes)
-    membrane2 = std::max(membrane2, membrane.axial_stiffness / (density_beside(state, membrane) * layout.finest));
+    membrane2 = std::max(membrane2, membrane_speed_squared(state, membrane, layout.finest));
   double dt =
       limits.courant * layout.finest / (std::sqrt(c2 + membrane2) + std::max(state.v_max, surface_speed(state)));
   dt = std::min(dt, contact_dt(state, layout.finest));

@@ -20,7 +20,7 @@ struct Submerged {
   State<2> state;
 
   explicit Submerged(double surface) {
-    scene.still_fluids = {{"skin", "water", surface, {}}};
+    scene.still_fluids = {{"skin", "water", StillFluidSpec::Side::outside, surface, {}}};
     state.membranes = {square_membrane()};
     for (auto& component : membrane().load) component.assign(4, 0.0);
   }

@@ -215,8 +215,8 @@ TEST_CASE("a key of the other dimension is refused") {
   CHECK(scene_error(every_key, {"walls.front=slip"})
             .find("walls.front: found a key that does not apply here; allowed: only with dimension = 3") !=
         std::string::npos);
-  CHECK(scene_error(every_key_3d, {"membranes=[]"})
-            .find("membranes: found a key that does not apply here; allowed: only with dimension = 2") !=
+  CHECK(scene_error(every_key_3d, {"viscous_boundaries=[]"})
+            .find("viscous_boundaries: found a key that does not apply here; allowed: only with dimension = 2") !=
         std::string::npos);
   CHECK(scene_error(every_key_3d, {"bodies.bag.shape.tilt_deg=5"}).find("only with type = \"ellipse\"") !=
         std::string::npos);

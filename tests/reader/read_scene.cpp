@@ -156,7 +156,8 @@ TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
                                               {"wheel", disc, TableMotionSpec{{0, 1}, {9, 9}, {0, 90}, {}}, {}},
                                               {"lift", disc, TableMotionSpec{{0, 1}, {}, {}, {{0, 0}, {0, 1}}}, {}}});
   CHECK(scene.contacts == std::vector<ContactSpec>{{{"geotextile", "ground"}, 0.3, 0.5, 0.25, {}}});
-  CHECK(scene.still_fluids == std::vector<StillFluidSpec>{{"geotextile", "water", 7, {}}});
+  CHECK(scene.still_fluids ==
+        std::vector<StillFluidSpec>{{"geotextile", "water", StillFluidSpec::Side::outside, 7, {}}});
   CHECK(scene.viscous_boundaries == std::vector<ViscousBoundarySpec>{{"edge", "wedge", {1, 8}, {3, 8}, 10, {}}});
   CHECK(scene.pumps == std::vector<PumpSpec>{{"sea", 0.1, 0.5, 1.5, {}}});
 }

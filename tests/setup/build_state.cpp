@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "membrane/triangles.hpp"
 #include "support/near.hpp"
 #include "support/scene_files.hpp"
 
@@ -98,4 +99,25 @@ TEST_CASE("Arrays of absent features have length zero") {
   CHECK(main_case.drift < 0);
   CHECK(main_case.t == 0);
   CHECK(main_case.step == 0);
+}
+
+TEST_CASE("A body inside a surface has its volume, cloth its mass and its warp along x") {
+  const Scene scene = read_scene(source_path("tests/scenes/bag_3d.toml"));
+  const State<3> state = build_state<3>(scene);
+  const Membrane<3>& bag = state.membranes[0];
+  double fluid = 0, cloth = 0, rest = 0;
+  for (const double m : state.bodies[0].mass) fluid += m;
+  for (const double m : bag.mass) cloth += m;
+  for (const double area : bag.triangles.rest_area) rest += area;
+  CHECK(fluid == near(1000 * enclosed_volume(bag), 1e-9));                               // shares below 1e-9 are none
+  CHECK(cloth == near(rest, 1e-13));                                                     // 1 kg/m2
+  CHECK(enclosed_volume(bag) == near(std::numbers::pi * (0.25 * 1.2 + 0.5 / 3), 0.03));  // chords of 0.16 m
+  CHECK(bag.body == "fill");
+  // 1 % of slack: stretches of 1 / 1.01 before any step.
+  for (std::size_t t = 0; t < bag.triangles.size(); ++t) {
+    const auto F = deformation(bag, t);
+    CHECK((F.transpose() * F - Eigen::Matrix2d::Identity() / (1.01 * 1.01)).norm() < 1e-12);
+    const Vec<3> middle = middle_of(bag, t);
+    if (std::abs(middle[0]) < 0.5) CHECK(F(0, 0) > 0.99 / 1.01);
+  }
 }

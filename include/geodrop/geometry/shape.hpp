@@ -1,6 +1,8 @@
 // Shapes that a scene draws. Vectors have as many entries as the scene has dimensions.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -29,6 +31,13 @@ struct HalfPlaneShape {
   Point normal;  ///< points out of the body
   bool operator==(const HalfPlaneShape&) const = default;
 };
-using Shape = std::variant<BoxShape, EllipseShape, PolygonShape, HalfPlaneShape>;
+class SurfaceRegion;
+/// What a membrane in space encloses as it is drawn.
+struct InsideShape {
+  std::string membrane;
+  std::shared_ptr<const SurfaceRegion> region{};  ///< follows from the membrane; null until that is drawn
+  bool operator==(const InsideShape& other) const { return membrane == other.membrane; }
+};
+using Shape = std::variant<BoxShape, EllipseShape, PolygonShape, HalfPlaneShape, InsideShape>;
 
 }  // namespace geodrop

@@ -132,8 +132,29 @@ struct CutCells {
   std::size_t size() const { return area.size(); }
 };
 
-/// The cells of a fluid inside a closed membrane (2D), see cut/enclosed_fluid.
+/// The cells that a closed surface of triangles cuts (3D), see cut/clipped_cells. Local cells i + nx (j + ny k) of a
+/// box.
+struct ClippedCells {
+  /// Integrals of u^a w^b over the part of a face inside, at a + 3 b; u, w from -1/2 to 1/2 along the two axes that
+  /// follow the face's own, cyclically [its area].
+  using FaceMoments = std::array<double, 9>;
+  /// The part of a triangle in a cell: integrals of the linear functions of its corners over its area [-].
+  struct Piece {
+    int cell;
+    std::uint32_t triangle;
+    std::array<double, 3> share;
+  };
+  std::array<int, 3> first{}, count{};           ///< lowest stored cell of the box, cells per axis
+  Array<double> inside;                          ///< share of a cell inside [-]
+  std::array<Array<FaceMoments>, 3> upper_face;  ///< between a cell and the next one along each axis
+  std::vector<Piece> pieces;                     ///< in the order of the triangles
+
+  std::size_t size() const { return inside.size(); }
+};
+
+/// The cells of a fluid inside a closed membrane, see cut/enclosed_fluid, in space cut/enclosed_in_space.
 struct EnclosedCells : CutCells {
+  ClippedCells space;      ///< in place of CutCells in space
   Array<int> host;         ///< cell whose pressure and rate a cell shares
   Array<double> volume;    ///< of particles, at hosts [m3]
   Array<double> pressure;  ///< pi, at hosts [Pa]

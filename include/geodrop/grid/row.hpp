@@ -42,13 +42,15 @@ RunRow<Dim> each_field(F f) {
   };
 }
 
-/// A function that makes a row from what it needs to know of the scene. In space the rows of the plane are none.
+/// A function that makes a row from what it needs to know of the scene. In space the rows of the plane are none, and in
+/// the plane those of space.
 template <int Dim>
 struct RowMaker {
   Row<Dim> (*make)(const Scene&) = nullptr;
 
   RowMaker(Row<Dim> (*maker)(const Scene&)) : make(maker) {}
   RowMaker(Row<2> (*)(const Scene&)) requires(Dim == 3) {}
+  RowMaker(Row<3> (*)(const Scene&)) requires(Dim == 2) {}
 };
 
 }  // namespace geodrop

@@ -48,8 +48,10 @@ template <int Dim>
 struct MembraneMeasures {
   double tension_max = 0, tension_mean = 0, tension_p95 = 0;    ///< mean over rest length, p95 over segments [N/m]
   Vec<Dim> tension_max_at = Vec<Dim>::Zero();                   ///< middle of the segment [m]
-  double length = 0;                                            ///< of the line now [m]
-  double area = 0;                                              ///< enclosed, 2D and closed only [m2]
+  double length = 0;                                            ///< of the line now, 2D only [m]
+  double area = 0;                                              ///< enclosed, 2D and closed only; 3D: of the cloth [m2]
+  double volume = 0;                                            ///< enclosed, 3D only [m3]
+  double cross_tension_mean = 0, cross_tension_deviation = 0;   ///< across `tension`, over the cloth, 3D only [N/m]
   double tension_deviation = 0;                                 ///< standard deviation along the rest length [N/m]
   Vec<Dim> lower = Vec<Dim>::Zero(), upper = Vec<Dim>::Zero();  ///< extremes of the nodes [m]
   double gauge_peak = 0, gauge_time = 0;  ///< largest mean over the gauge since the last report [N/m], when [s]

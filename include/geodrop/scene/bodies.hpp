@@ -6,7 +6,9 @@
 #include <geodrop/scene/initial.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace geodrop {
@@ -46,6 +48,51 @@ enum class Shear {
   rough_wall,  ///< the same, C_f from the logarithmic law of a rough wall
   no_slip      ///< it sticks
 };
+/// Surfaces of membranes in space.
+struct EllipsoidSurface {
+  Point centre, semi_axes;  ///< [m]
+  bool operator==(const EllipsoidSurface&) const = default;
+};
+/// A cylinder with hemispherical caps.
+struct CapsuleSurface {
+  Point from, to;     ///< centres of the caps [m]
+  double radius = 0;  ///< [m]
+  bool operator==(const CapsuleSurface&) const = default;
+};
+/// Two flat rectangles of cloth sewn together along their rims.
+struct PillowSurface {
+  Point centre;                  ///< [m]
+  double length = 0, width = 0;  ///< of the cloth along x and y [m]
+  double thickness = 0;          ///< in the middle, as drawn [m]
+  bool operator==(const PillowSurface&) const = default;
+};
+/// Two flat discs of cloth sewn together along their rims.
+struct DiscPillowSurface {
+  Point centre;          ///< [m]
+  double radius = 0;     ///< of the cloth [m]
+  double thickness = 0;  ///< in the middle, as drawn [m]
+  bool operator==(const DiscPillowSurface&) const = default;
+};
+struct FileSurface {
+  std::string file;  ///< .stl or .obj
+  bool operator==(const FileSurface&) const = default;
+};
+/// The first of them: a line in the plane.
+using SurfaceSpec =
+    std::variant<std::monostate, EllipsoidSurface, CapsuleSurface, PillowSurface, DiscPillowSurface, FileSurface>;
+
+/// What a membrane in space is made of.
+enum class Fabric {
+  isotropic,  ///< a tension field: taut, wrinkled or slack
+  yarns       ///< two families of yarns, warp and weft
+};
+
+/// Follows from the surface of a membrane; equal as those are.
+struct DrawnSurface {
+  std::shared_ptr<const SurfaceRegion> region;
+  bool operator==(const DrawnSurface&) const { return true; }
+};
+
 struct MembraneSpec {
   std::string name;
   std::string body;           ///< lies on this body's outline
@@ -66,6 +113,14 @@ struct MembraneSpec {
   std::string bed;              ///< body around that a sharp membrane rubs on; empty: none
   double bed_friction = 0;      ///< on it [-]
   double permittivity = 0;      ///< psi: flow per area and head [1/s]; 0: tight
+  SurfaceSpec surface;          ///< in space
+  DrawnSurface drawn;           ///< in space, once it is drawn
+  Fabric fabric = Fabric::isotropic;
+  double poisson_ratio = 0;   ///< of an isotropic one [-]
+  double weft_stiffness = 0;  ///< of one of yarns [N/m]; axial_stiffness is that of the warp
+  double weft_strength = 0;   ///< likewise [N/m]
+  Point warp;                 ///< direction of the warp, or what of it lies in the cloth [-]
+  double gauge_pressure = 0;  ///< inside over outside, the same all over [Pa]
   SourceRef at;
   bool operator==(const MembraneSpec&) const = default;
 };

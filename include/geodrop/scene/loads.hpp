@@ -8,11 +8,13 @@
 
 namespace geodrop {
 
-/// Fluid at rest outside of a closed membrane: its pressure acts on the membrane, nothing moves it.
+/// Fluid at rest outside of a closed membrane, or inside: its pressure acts on the membrane, nothing moves it.
 struct StillFluidSpec {
+  enum class Side { outside, inside };
   std::string membrane;
-  std::string fluid;   ///< material name of a Newtonian fluid
-  double surface = 0;  ///< level of its surface [m]
+  std::string fluid;  ///< material name of a Newtonian fluid
+  Side side = Side::outside;
+  double surface = 0;  ///< level of its surface, or of no pressure in a tube that is pumped up [m]
   SourceRef at;
   bool operator==(const StillFluidSpec&) const = default;
 };

@@ -54,7 +54,25 @@ struct TensionGauge {
   std::array<double, Dim> peak_at{};  ///< middle of the gauge [m]
 };
 
-/// Tension-only membrane: a polyline of nodes with segments between neighbours (2D).
+/// Triangles of a membrane in space, with what they are at rest; in the plane there are none.
+template <int Dim>
+struct MembraneTriangles {};
+template <>
+struct MembraneTriangles<3> {
+  Fabric fabric = Fabric::isotropic;
+  double poisson_ratio = 0;                      ///< of an isotropic one [-]
+  double weft_stiffness = 0, weft_strength = 0;  ///< of yarns [N/m]
+  double mass_per_area = 0;                      ///< [kg/m2]
+  double gauge_pressure = 0;                     ///< inside over outside [Pa]
+  std::array<Array<std::uint32_t>, 3> corner;    ///< nodes, anticlockwise from outside
+  std::array<Array<double>, 4> inverse_rest;     ///< D^-1 [1/m], D the two edges from corner 0 in warp and weft
+  Array<double> rest_area;                       ///< [m2]
+  Array<double> cross_tension;                   ///< smaller principal one, or of the weft, per width at rest [N/m]
+
+  std::size_t size() const { return rest_area.size(); }
+};
+
+/// Tension-only membrane: a polyline of nodes with segments between neighbours (2D), or nodes and triangles (3D).
 template <int Dim>
 struct Membrane {
   std::string name;
@@ -96,6 +114,9 @@ struct Membrane {
   Array<double> pore_pressure;  ///< segments: of the water inside on it [Pa]; else empty
   Array<double> seepage;        ///< segments: flow through it per area, outwards [m/s]
 
+  /// In space `strain` and `tension` are those of triangles: the larger principal ones, or of the warp.
+  [[no_unique_address]] MembraneTriangles<Dim> triangles;
+
   std::size_t nodes() const { return mass.size(); }
   std::size_t segments() const { return rest_length.size(); }
   bool slides() const { return !share.empty(); }
@@ -130,8 +151,8 @@ struct RigidContact {
   Array<double> reach;          ///< bare: how far its surface is from a particle at the start, by id [m]
   Array<double> half_width;     ///< bare: the same now, as the flow flattens or stretches what touches [m]
   Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending
-  Array<double> slip;           ///< of each: stretch of its tangential spring, along the normal turned clockwise [m]
-  Array<std::int8_t> side;      ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
+  Array<double> slip;  ///< of each: stretch of its tangential spring, along the normal turned clockwise; 3D: vector [m]
+  Array<std::int8_t> side;  ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
   std::array<double, Dim> normal_force{}, friction_force{};  ///< sums over the points in the last step [N]
   double normal_sum = 0, friction_sum = 0;                   ///< sums of their sizes, friction with its sign [N]
   double friction_work = 0, damping_work = 0;                ///< turned into heat so far [J]

@@ -35,6 +35,7 @@ struct GeotubeProbeSpec {
     if (probe.membrane(membrane) && !find_named(probe.scene.membranes, membrane).closed)
       probe.report.add(probe.key + ".membrane", '"' + membrane + "\", which is open", "a closed membrane");
     if (!water.empty()) probe.fluid(water, ".water");
+    probe.plane(word);
   }
   void list(HistoryRow& row, const Scene& scene, const State<2>* state) const;
   /// Writes geotube_PROBE_outline.csv (membrane and its tension), geotube_PROBE_exact.csv (exact outline) and

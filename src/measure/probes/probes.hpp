@@ -7,6 +7,7 @@
 #include "extremes_probe.hpp"
 #include "front_probe.hpp"
 #include "geotube_probe.hpp"
+#include "patch_probe.hpp"
 #include "pressure_probe.hpp"
 #include "section_probe.hpp"
 #include "span_probe.hpp"
@@ -17,7 +18,7 @@ namespace geodrop {
 
 struct ProbeSpec {
   std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
-               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec>
+               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec, PatchProbeSpec>
       probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;

@@ -21,7 +21,10 @@ struct SpanProbeSpec {
         key("from", &SpanProbeSpec::from, "m", required, any, "one end of the part, on the membrane as drawn"),
         key("to", &SpanProbeSpec::to, "m", required, any, "its other end; round a closed membrane the shorter way")};
   }
-  void check(const ProbeCheck& probe) const { probe.membrane(membrane); }
+  void check(const ProbeCheck& probe) const {
+    probe.membrane(membrane);
+    probe.plane(word);
+  }
   void list(HistoryRow& row, const Scene& scene, const State<2>* state) const;
 };
 

@@ -10,6 +10,14 @@
 namespace geodrop {
 namespace {
 
+/// Only a membrane in space may be alone.
+void check_any(const Scene& scene, Report& report) {
+  if (!report.healthy("dimension") || (scene.dimension == 3 && !scene.membranes.empty())) return;
+  constexpr const char *nothing = "nothing: the key is missing or empty", *one = "at least one table";
+  if (scene.bodies.empty() && report.healthy("bodies")) report.add("bodies", nothing, one);
+  if (scene.materials.empty() && report.healthy("materials")) report.add("materials", nothing, one);
+}
+
 /// Names that head columns of history.csv share one name space.
 void check_owner_names(const Scene& scene, Report& report) {
   std::map<std::string, std::string> owner;
@@ -116,10 +124,13 @@ void check_enclosed(const Scene& scene, const BodySpec& body, const std::string&
   const bool fluid = !material || !report.healthy("materials." + material->name + ".model") ||
                      std::holds_alternative<NewtonianSpec>(material->model);
   const auto around = std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
-    return membrane.body == body.name && membrane.closed && membrane.points.empty();
+    const auto* inside = std::get_if<InsideShape>(&body.shape);
+    return inside ? inside->membrane == membrane.name
+                  : membrane.body == body.name && membrane.closed && membrane.points.empty();
   });
-  if (scene.dimension != 2)
-    refuse("in space", "cell or particle; enclosed is for dimension = 2");
+  const auto is_enclosed = [](const BodySpec& other) { return other.pressure == PressureSupport::enclosed; };
+  if (scene.dimension == 3 && !std::all_of(scene.bodies.begin(), scene.bodies.end(), is_enclosed))
+    refuse("in space beside a body that is not", "enclosed in space where all bodies are");
   else if (scene.grid.basis != Basis::bspline2 || !scene.grid.refine.empty())
     refuse("on a grid whose cells are not knot spans of one size", "enclosed with basis = \"bspline2\" and no zones");
   else if (!fluid)
@@ -128,7 +139,7 @@ void check_enclosed(const Scene& scene, const BodySpec& body, const std::string&
     refuse("with " + std::to_string(around) + " closed membranes on the whole outline" +
                (body.minus.empty() ? "" : ", and with bodies cut out"),
            "enclosed with one closed membrane without points, and without minus");
-  else if (scene.gravity[0] != 0)
+  else if (std::any_of(scene.gravity.begin(), scene.gravity.end() - 1, [](double g) { return g != 0; }))
     refuse("with gravity " + to_text(scene.gravity), "enclosed with gravity along the vertical axis");
 }
 
@@ -170,6 +181,7 @@ void check_velocity(const Scene& scene, const BodySpec& body, const std::string&
 }
 
 void check_bodies(const Scene& scene, Report& report) {
+  check_any(scene, report);
   check_owner_names(scene, report);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const std::string& key = report.element("bodies", i);

@@ -2,9 +2,11 @@
 #include "check_scene.hpp"
 
 #include "contact/rigid_surface.hpp"
+#include "contact/space_contact.hpp"
 
 #include <geodrop/base/find_named.hpp>
 #include <geodrop/geometry/shapes.hpp>
+#include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/grid/graded_axis.hpp>
 
 #include <algorithm>
@@ -59,6 +61,26 @@ void check_start(const Scene& scene, const ContactPair& pair, const std::string&
                "something that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
 }
 
+/// In space only membranes touch, and only half-spaces.
+void check_in_space(const Scene& scene, const ContactPair& pair, const std::string& key, Report& report) {
+  if (pair.kind != ContactPair::Kind::membrane_on_rigid) {
+    report.add(key + ".between", '"' + pair.touching + "\" and \"" + pair.other + "\" in space",
+               "a membrane and a rigid body");
+    return;
+  }
+  const MembraneSpec& membrane = find_named(scene.membranes, pair.touching);
+  const RigidBody<3> ground = make_half_space(find_named(scene.rigid, pair.other));
+  if (!membrane.drawn.region) return;
+  const double allowed = finest_spacing(scene.grid) / 10;
+  double deepest = 0;
+  for (const Corner& x : membrane.drawn.region->surface().points)
+    deepest = std::max(deepest, -Vec<3>(ground.normal.data()).dot(Vec<3>(x.data()) - Vec<3>(ground.from.data())));
+  if (deepest > allowed)
+    report.add(key + ".between",
+               '"' + pair.touching + "\" up to " + to_text(deepest) + " m inside \"" + pair.other + '"',
+               "something that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
+}
+
 constexpr const char* who_may_touch =
     "a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds";
 
@@ -90,10 +112,12 @@ void check_contacts(const Scene& scene, Report& report) {
     const ContactPair pair = contact_pair(scene, contact);
     if (!pairs.insert(std::minmax(pair.touching, pair.other)).second)
       report.add(key + ".between", "a pair that has a contact already", "each pair once");
-    if (pair.kind == ContactPair::Kind::membranes) continue;
+    if (pair.kind == ContactPair::Kind::membranes && scene.dimension == 2) continue;
     const auto healthy = [&](const char* part) { return report.healthy(part); };
     constexpr const char* needed[] = {"rigid", "membranes", "grid", "dimension", "bodies"};
-    if (std::all_of(std::begin(needed), std::end(needed), healthy)) check_start(scene, pair, key, report);
+    if (!std::all_of(std::begin(needed), std::end(needed), healthy)) continue;
+    if (scene.dimension == 2) check_start(scene, pair, key, report);
+    if (scene.dimension == 3) check_in_space(scene, pair, key, report);
   }
 }
 

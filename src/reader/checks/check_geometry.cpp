@@ -143,7 +143,8 @@ class PlacementCheck {
   std::string key(std::size_t i) const { return report_.element("bodies", i); }
 
   bool is_ready(std::size_t i) const {
-    return report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus");
+    const bool drawn = !std::holds_alternative<InsideShape>(body(i).shape) || shape_is_sound(body(i).shape);
+    return drawn && report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus");
   }
 
   /// A stage places body i: what is at its place now may be gone by then.
@@ -278,14 +279,20 @@ bool shape_is_sound(const Shape& shape) {
     return ellipse->centre.size() >= 2 && ellipse->semi_axes.size() == ellipse->centre.size();
   if (const auto* box = std::get_if<BoxShape>(&shape))
     return box->lower.size() >= 2 && box->upper.size() == box->lower.size();
+  if (const auto* inside = std::get_if<InsideShape>(&shape)) return inside->region != nullptr;
   const auto& half = std::get<HalfPlaneShape>(shape);
   const bool has_normal = std::any_of(half.normal.begin(), half.normal.end(), [](double n) { return n != 0; });
   return half.point.size() >= 2 && half.normal.size() == half.point.size() && has_normal;
 }
 
 void check_geometry(const Scene& scene, Report& report) {
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     check_shape(scene.bodies[i], report.element("bodies", i) + ".shape", report);
+    const auto* inside = std::get_if<InsideShape>(&scene.bodies[i].shape);
+    if (inside && report.healthy(report.element("bodies", i) + ".shape"))
+      check_reference(report.element("bodies", i) + ".shape.membrane", inside->membrane, names_of(scene.membranes),
+                      "membranes", report);
+  }
   // A domain or a dimension that is wrong would make every body wrong.
   if (report.healthy("grid") && report.healthy("dimension")) PlacementCheck(scene, report).run();
 }

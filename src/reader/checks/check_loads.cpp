@@ -15,7 +15,10 @@ void check_still_fluids(const Scene& scene, Report& report) {
     if (check_reference(key + ".membrane", still.membrane, names_of(scene.membranes), "membranes", report) &&
         !find_named(scene.membranes, still.membrane).closed)
       report.add(key + ".membrane", '"' + still.membrane + "\", which is open", "a closed membrane");
-    if (report.healthy("gravity") && report.healthy("dimension") && scene.gravity[0] != 0)
+    const auto sideways = [&] {
+      return std::any_of(scene.gravity.begin(), scene.gravity.end() - 1, [](double g) { return g != 0; });
+    };
+    if (report.healthy("gravity") && report.healthy("dimension") && sideways())
       report.add(key + ".surface", "a level, with gravity " + to_text(scene.gravity),
                  "still fluids with gravity along the vertical axis");
   }

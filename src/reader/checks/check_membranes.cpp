@@ -130,9 +130,27 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
 }
 
+/// A cell without fluid has no other mass than the membrane's.
+void check_surfaces(const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.membranes.size(); ++i) {
+    const MembraneSpec& membrane = scene.membranes[i];
+    const std::string& key = report.element("membranes", i);
+    check_strength(membrane, key, report);
+    for (const auto& [name, value] :
+         {std::pair{".mass_per_area", membrane.mass_per_area}, std::pair{".axial_stiffness", membrane.axial_stiffness}})
+      if (value == 0 && report.healthy(key + name)) report.add(key + name, "0 of a membrane in space", "a number > 0");
+    const bool no_warp = std::all_of(membrane.warp.begin(), membrane.warp.end(), [](double c) { return c == 0; });
+    if (membrane.fabric == Fabric::yarns && no_warp && report.healthy(key + ".warp"))
+      report.add(key + ".warp", to_text(membrane.warp), "a vector that is not zero");
+    if (scene.solver.transfer == Transfer::musl && report.healthy("solver.transfer"))
+      report.add(key, "a membrane in space with solver.transfer = \"musl\"", "tpic or blend");
+  }
+}
+
 }  // namespace
 
 void check_membranes(const Scene& scene, Report& report) {
+  if (scene.dimension == 3) return check_surfaces(scene, report);
   for (std::size_t i = 0; i < scene.membranes.size(); ++i) {
     const MembraneSpec& membrane = scene.membranes[i];
     const std::string& key = report.element("membranes", i);

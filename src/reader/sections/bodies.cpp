@@ -17,7 +17,7 @@ SectionOf<Shape> shape_section() {
       "shape of a body", "",
       "An inline table; `type` says which keys it has.", {
       key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipse", EllipseShape{}}, {"polygon", PolygonShape{}}, {"half_plane", HalfPlaneShape{}}}, required, "which shape").in(2),
-      key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipsoid", EllipseShape{}}, {"half_space", HalfPlaneShape{}}}, required, "which shape").in(3),
+      key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipsoid", EllipseShape{}}, {"half_space", HalfPlaneShape{}}, {"inside", InsideShape{}}}, required, "which shape; inside: what a membrane encloses as it is drawn").in(3),
       key("lower", &BoxShape::lower, "m", required, any, "lower corner").only("type=box"),
       key("upper", &BoxShape::upper, "m", required, any, "upper corner").only("type=box"),
       key("centre", &EllipseShape::centre, "m", required, any, "centre").only("type=ellipse|ellipsoid"),
@@ -26,6 +26,7 @@ SectionOf<Shape> shape_section() {
       key("points", &PolygonShape::points, "m", required, any, "at least 3 corners of a polygon that does not cross itself, in either sense").only("type=polygon"),
       key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
       key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the body; of any length").only("type=half_plane|half_space"),
+      key("membrane", &InsideShape::membrane, required, reference, "the membrane").only("type=inside").in(3),
   }};
 }
 
@@ -44,7 +45,7 @@ SectionOf<BodySpec> bodies_section() {
       key("jitter_seed", &BodySpec::jitter_seed, "", standard("0"), not_negative, "seed of the random offsets"),
       key.table("initial_velocity", &BodySpec::initial_velocity, initial_velocity_section(), standard("{ type = \"rest\" }"), "velocity at the start"),
       key.table("initial_stress", &BodySpec::initial_stress, initial_stress_section(), required, "stress at the start"),
-      key("pressure", &BodySpec::pressure, {{"cell", PressureSupport::cell}, {"particle", PressureSupport::particle}, {"nodal", PressureSupport::nodal}, {"enclosed", PressureSupport::enclosed}}, standard("\"cell\""), "where the mean stress acts from: the average of the cell (not on tri3, tet4), each particle, (only on tri3, tet4) the average at the nodes, or, for a fluid that fills a closed membrane (2D, bspline2), the average of cells that the membrane cuts exactly"),
+      key("pressure", &BodySpec::pressure, {{"cell", PressureSupport::cell}, {"particle", PressureSupport::particle}, {"nodal", PressureSupport::nodal}, {"enclosed", PressureSupport::enclosed}}, standard("\"cell\""), "where the mean stress acts from: the average of the cell (not on tri3, tet4), each particle, (only on tri3, tet4) the average at the nodes, or, for a fluid that fills a closed membrane (bspline2; in space all bodies then), the average of cells that the membrane cuts exactly"),
       key("layers", &BodySpec::layers, "", standard("1"), bands, "horizontal bands that colour the picture"),
       key("shift", &BodySpec::shift, standard("false"), "move particles out of clumps and into voids (fluids only)"),
       key("shift_speed", &BodySpec::shift_speed, "m/s", standard("0.0"), not_negative, "v0, shifting of a particle at rest"),

@@ -15,9 +15,10 @@ SectionOf<RigidShape> rigid_shape_section() {
       "shape of a rigid body", "",
       "An inline table; `type` says which keys it has. What comes beside the segment of a capsule stays on the side "
       "on which it came, down to twice the radius deep.", {
-      key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}}, required, "which shape; capsule: a segment with rounded ends"),
-      key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane"),
-      key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the rigid body; of any length").only("type=half_plane"),
+      key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}}, required, "which shape; capsule: a segment with rounded ends").in(2),
+      key("type", itself<RigidShape>, {{"half_space", HalfPlaneShape{}}}, required, "which shape").in(3),
+      key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
+      key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the rigid body; of any length").only("type=half_plane|half_space"),
       key("from", &CapsuleShape::from, "m", required, any, "one end of the segment").only("type=capsule"),
       key("to", &CapsuleShape::to, "m", required, any, "its other end; the same point: a disc").only("type=capsule"),
       key("radius", &CapsuleShape::radius, "m", required, positive, "of the ends, half the thickness").only("type=capsule"),
@@ -49,7 +50,7 @@ SectionOf<RigidSpec> rigid_section() {
       "Rigid ground, walls and hulls; only what `contacts` names notices them.", {
       key("name", &RigidSpec::name, required, identifier, "what contacts refer to"),
       key.table("shape", &RigidSpec::shape, rigid_shape_section(), required, "where it is"),
-      key.table("motion", &RigidSpec::motion, rigid_motion_section(), standard("{ type = \"none\" }"), "how it moves"),
+      key.table("motion", &RigidSpec::motion, rigid_motion_section(), standard("{ type = \"none\" }"), "how it moves").in(2),
   }};
 }
 

@@ -16,11 +16,12 @@ SectionOf<StillFluidSpec> still_fluids_section() {
   return {
       "[[still_fluids]]", "membrane",
       "Still water in a basin so large that a tube does not move it: its pressure, gamma times depth, acts on a "
-      "closed membrane from outside, also where that lies on the ground. A body of water that moves is one of "
-      "`bodies`.", {
+      "closed membrane from outside, also where that lies on the ground, or in space from inside. A body of water that "
+      "moves is one of `bodies`.", {
       key("membrane", &StillFluidSpec::membrane, required, reference, "the closed membrane that it presses on"),
       key("fluid", &StillFluidSpec::fluid, required, reference, "the newtonian material of the fluid"),
-      key("surface", &StillFluidSpec::surface, "m", required, any, "level of its surface"),
+      key("side", &StillFluidSpec::side, {{"outside", StillFluidSpec::Side::outside}, {"inside", StillFluidSpec::Side::inside}}, standard("\"outside\""), "which side of the membrane it is on").in(3),
+      key("surface", &StillFluidSpec::surface, "m", required, any, "level of its surface; of one that is pumped into a tube the level up to which it would rise in a standpipe"),
   }};
 }
 

@@ -15,6 +15,12 @@ void rest_in_all_directions(Scene& scene, const toml::table&) {
       velocity->value.resize(static_cast<std::size_t>(scene.dimension));
 }
 
+/// A membrane in space may be alone.
+Key may_be_none(Key row) {
+  row.need = standard("{}");
+  return row;
+}
+
 }  // namespace
 
 // clang-format off
@@ -33,12 +39,12 @@ SectionOf<Scene> top_level() {
       key.table("relaxation", &Scene::relaxation, relaxation_section(), standard("{ damping = \"none\" }"), "how the run comes to rest"),
       key.table("time", &Scene::time, time_section(), required, "how long to run"),
       key.table("output", output_section(), required, "what is written"),
-      key.named("materials", &Scene::materials, materials_section(), "the materials by name"),
-      key.list("bodies", &Scene::bodies, bodies_section(), required, "what fills the domain"),
-      key.list("membranes", &Scene::membranes, membranes_section(), standard("[]"), "geotextiles").in(2),
-      key.list("rigid", &Scene::rigid, rigid_section(), standard("[]"), "rigid ground and walls").in(2),
-      key.list("contacts", &Scene::contacts, contacts_section(), standard("[]"), "what touches what").in(2),
-      key.list("still_fluids", &Scene::still_fluids, still_fluids_section(), standard("[]"), "still water around membranes").in(2),
+      may_be_none(key.named("materials", &Scene::materials, materials_section(), "the materials by name; in the plane at least one")),
+      key.list("bodies", &Scene::bodies, bodies_section(), standard("[]"), "what fills the domain; in the plane at least one"),
+      key.list("membranes", &Scene::membranes, membranes_section(), standard("[]"), "geotextiles"),
+      key.list("rigid", &Scene::rigid, rigid_section(), standard("[]"), "rigid ground and walls"),
+      key.list("contacts", &Scene::contacts, contacts_section(), standard("[]"), "what touches what"),
+      key.list("still_fluids", &Scene::still_fluids, still_fluids_section(), standard("[]"), "still water around or in membranes"),
       key.list("stages", &Scene::stages, stages_section(), standard("[]"), "the parts of a run in time"),
       key.list("viscous_boundaries", &Scene::viscous_boundaries, viscous_boundaries_section(), standard("[]"), "edges of the ground that let waves out").in(2),
       key.list("absorbing_layers", &Scene::silent_sides, absorbing_layers_section(), standard("[]"), "layers beside walls through which waves in water leave").in(2).formerly("silent_sides"),

@@ -24,6 +24,7 @@ SectionOf<BodySpec> bodies_section();
 SectionOf<InitialVelocity> initial_velocity_section();
 SectionOf<InitialStress> initial_stress_section();
 SectionOf<ExactSpec> exact_section();
+SectionOf<SurfaceSpec> surface_section();
 SectionOf<MembraneSpec> membranes_section();
 SectionOf<RigidShape> rigid_shape_section();
 SectionOf<RigidMotion> rigid_motion_section();

@@ -1,0 +1,134 @@
+#include "space_contact.hpp"
+
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/grid/graded_axis.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "penalty.hpp"
+
+namespace geodrop {
+namespace {
+
+/// Springs of the points of the step before, by node.
+class Springs {
+ public:
+  explicit Springs(const RigidContact<3>& contact) : points_(contact.points), slip_(contact.slip) {}
+  Vec<3> of(std::uint32_t node) {
+    while (next_ < points_.size() && points_[next_] < node) ++next_;
+    if (next_ == points_.size() || points_[next_] != node) return Vec<3>::Zero();
+    return Vec<3>(&slip_[3 * next_]);
+  }
+
+ private:
+  Array<std::uint32_t> points_;
+  Array<double> slip_;
+  std::size_t next_ = 0;
+};
+
+/// Area of cloth at rest that belongs to each node [m2].
+Array<double> node_areas(const Membrane<3>& membrane) {
+  Array<double> area(membrane.nodes(), 0.0);
+  for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
+    for (const auto& corner : membrane.triangles.corner) area[corner[t]] += membrane.triangles.rest_area[t] / 3;
+  return area;
+}
+
+struct Touch {
+  double area, depth;
+  Vec<3> normal, velocity, spring;
+};
+
+/// Coulomb friction on the stretch of the spring, as penalty_force has it in the plane.
+Vec<3> push(const Touch& touch, std::uint32_t node, double dt, RigidContact<3>& contact) {
+  const Penalty penalty = penalty_of(contact, touch.area);
+  const double v_n = touch.normal.dot(touch.velocity);
+  const Vec<3> moved = touch.spring + dt * (touch.velocity - v_n * touch.normal);
+  const Vec<3> stretch = moved - touch.normal.dot(moved) * touch.normal;
+  const double elastic = penalty.spring * touch.depth, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
+  const double held = penalty.spring * stretch.norm(), limit = penalty.friction * normal;
+  const Vec<3> kept = held > limit ? Vec<3>(limit / held * stretch) : stretch;
+  const Vec<3> friction = -penalty.spring * kept;
+  contact.friction_work += friction.norm() * (stretch - kept).norm();
+  contact.damping_work += (elastic - normal) * v_n * dt;
+  contact.points.push_back(node);
+  contact.slip.insert(contact.slip.end(), kept.begin(), kept.end());
+  contact.side.push_back(0);
+  contact.normal_sum += normal;
+  contact.friction_sum += friction.norm();
+  const Vec<3> force = normal * touch.normal + friction;
+  for (int a = 0; a < 3; ++a) {
+    contact.normal_force[a] += normal * touch.normal[a];
+    contact.friction_force[a] += friction[a];
+  }
+  return force;
+}
+
+void forget(RigidContact<3>& contact) {
+  contact.points.clear();
+  contact.slip.clear();
+  contact.side.clear();
+  contact.normal_force = contact.friction_force = {};
+  contact.normal_sum = contact.friction_sum = 0;
+}
+
+void add_contact(const RigidBody<3>& rigid, double dt, Membrane<3>& membrane, RigidContact<3>& contact) {
+  Springs springs(contact);
+  forget(contact);
+  const Vec<3> normal(rigid.normal.data()), from(rigid.from.data());
+  const Array<double> area = node_areas(membrane);
+  for (std::uint32_t k = 0; k < membrane.nodes(); ++k) {
+    const double depth = -normal.dot(vector_at(membrane.x, k) - from);
+    if (!(depth > 0)) continue;
+    const Vec<3> force = push({area[k], depth, normal, vector_at(membrane.v, k), springs.of(k)}, k, dt, contact);
+    for (int a = 0; a < 3; ++a) membrane.load[a][k] += force[a];
+  }
+}
+
+}  // namespace
+
+RigidBody<3> make_half_space(const RigidSpec& spec) {
+  const auto& half = std::get<HalfPlaneShape>(spec.shape);
+  RigidBody<3> body;
+  body.name = spec.name;
+  body.half_plane = true;
+  const Vec<3> normal = Vec<3>(half.normal.data()).normalized();
+  for (int a = 0; a < 3; ++a) {
+    body.from[a] = body.to[a] = half.point[a];
+    body.normal[a] = normal[a];
+  }
+  return body;
+}
+
+RigidContact<3> make_space_contact(const Scene& scene, const ContactSpec& spec, const State<3>& state) {
+  const ContactPair pair = contact_pair(scene, spec);
+  RigidContact<3> contact;
+  contact.touching = pair.touching;
+  contact.rigid = pair.other;
+  contact.friction = spec.friction;
+  const Membrane<3>& membrane = find_named(state.membranes, pair.touching);
+  const double h = finest_spacing(scene.grid);
+  for (const Body<3>& body : state.bodies) {
+    if (body.name != membrane.body) continue;
+    contact.stiffness = spec.stiffness * impedance(body.material) * wave_speed(body.material) / h;
+    contact.damping = spec.damping * impedance(body.material);
+    return contact;
+  }
+  contact.stiffness = spec.stiffness * membrane.axial_stiffness / (h * h);
+  contact.damping = spec.damping * std::sqrt(membrane.axial_stiffness * membrane.triangles.mass_per_area) / h;
+  return contact;
+}
+
+void add_space_contacts(State<3>& state, double dt) {
+  for (RigidContact<3>& contact : state.rigid_contacts) {
+    const RigidBody<3>& rigid = find_named(state.rigid, contact.rigid);
+    Membrane<3>& membrane = find_named(state.membranes, contact.touching);
+    if (rigid.present && membrane.field != waiting)
+      add_contact(rigid, dt, membrane, contact);
+    else
+      forget(contact);
+  }
+}
+
+}  // namespace geodrop

@@ -1,0 +1,38 @@
+// The cells that a closed surface of triangles cuts, exactly: how much of each lies inside, which part of each face
+// does, and which pieces of the triangles lie in it.
+//
+// The sister of cut_cells by the divergence theorem: triangles are split at the planes of the grid; a piece adds its
+// own part to its cell, and the moments of its projection to all faces that lie below it along each axis. No case of
+// how a surface may cross a cell is told apart, and what it cuts twice is counted by winding number.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
+
+namespace geodrop {
+
+/// Renews box, shares, faces and pieces for the triangles of a membrane.
+void clip_cells(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells);
+
+/// The local cell of the box that a point is in, -1 outside of the box.
+inline int local_cell(const GridLayout<3>& layout, const ClippedCells& cells, const Vec<3>& x) {
+  int cell = 0;
+  for (int a = 2; a >= 0; --a) {
+    const int i = layout.base(a, x[a]) + GridLayout<3>::pad - cells.first[a];
+    if (i < 0 || i >= cells.count[a]) return -1;
+    cell = cell * cells.count[a] + i;
+  }
+  return cell;
+}
+
+/// Flat index of a local cell.
+inline int flat_of(const GridLayout<3>& layout, const ClippedCells& cells, int cell) {
+  const int i = cell % cells.count[0], j = cell / cells.count[0] % cells.count[1];
+  const int k = cell / (cells.count[0] * cells.count[1]);
+  return cells.first[0] + i + (cells.first[1] + j) * layout.stride[1] + (cells.first[2] + k) * layout.stride[2];
+}
+
+/// int N over the part of a face inside, for the 3 x 3 nodes along its two axes, first axis fastest [its area].
+std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments);
+
+}  // namespace geodrop

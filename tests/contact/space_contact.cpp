@@ -1,0 +1,76 @@
+// Nodes of a membrane in space on a rigid half-space: one triangle against the penalty law by hand.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "contact/space_contact.hpp"
+#include "support/near.hpp"
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+/// A triangle of 3 m2 at rest whose node 0 is 0.01 m deep in a slope of 3 : 4; the others are outside.
+struct Slope {
+  State<3> state;
+  Vec<3> normal{0.6, 0.0, 0.8}, along{0.8, 0.0, -0.6}, across{0.0, 1.0, 0.0};
+
+  Slope(double friction, const Vec<3>& velocity) {
+    RigidSpec spec;
+    spec.name = "ground";
+    spec.shape = HalfPlaneShape{{1, 2, 3}, {3, 0, 4}};
+    state.rigid.push_back(make_half_space(spec));
+    Membrane<3> cloth;
+    cloth.name = "cloth";
+    const Vec<3> base(1, 2, 3), deep = base - 0.01 * normal;
+    for (const Vec<3>& x : {deep, Vec<3>(base + normal), Vec<3>(base + 2 * normal + across)})
+      for (int a = 0; a < 3; ++a) cloth.x[a].push_back(x[a]);
+    for (int a = 0; a < 3; ++a) {
+      cloth.v[a] = {velocity[a], 0, 0};
+      cloth.load[a].assign(3, 0.0);
+    }
+    cloth.mass.assign(3, 1.0);
+    for (std::uint32_t k = 0; k < 3; ++k) cloth.triangles.corner[k] = {k};
+    cloth.triangles.rest_area = {3};
+    state.membranes.push_back(cloth);
+    RigidContact<3> contact;
+    contact.touching = "cloth";
+    contact.rigid = "ground";
+    contact.friction = friction;
+    contact.stiffness = 1e5;
+    contact.damping = 100;
+    state.rigid_contacts.push_back(contact);
+  }
+  Vec<3> push(double dt) {
+    for (auto& component : state.membranes[0].load) component.assign(3, 0.0);
+    add_space_contacts(state, dt);
+    return vector_at(state.membranes[0].load, 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A node in a half-space is pushed out by stiffness, damping and the area of its cloth") {
+  // 1 m2: 1e5 * 0.01 - 100 * (-2) = 1200 N; on its way out 100 N less for each m/s, never a pull.
+  CHECK((Slope(0, Vec<3>(0.6, 0, 0.8) * -2).push(1e-3) - 1200 * Vec<3>(0.6, 0, 0.8)).norm() < 1e-9);
+  CHECK((Slope(0, Vec<3>(0.6, 0, 0.8) * 4).push(1e-3) - 600 * Vec<3>(0.6, 0, 0.8)).norm() < 1e-9);
+  CHECK(Slope(0, Vec<3>(0.6, 0, 0.8) * 40).push(1e-3).norm() < 1e-9);
+  Slope slope(0.3, Vec<3>::Zero());
+  slope.push(1e-3);
+  CHECK(slope.state.rigid_contacts[0].points == Array<std::uint32_t>{0});
+  CHECK(vector_at(slope.state.membranes[0].load, 1).norm() == 0);
+}
+
+TEST_CASE("Friction is a spring against the way along the surface, in any direction, up to mu times the normal force") {
+  const Vec<3> velocity = 3 * Vec<3>(0.8, 0, -0.6) + 4 * Vec<3>(0, 1, 0);  // 5 m/s along the slope
+  Slope slope(0.5, velocity);
+  // 1 ms: 5 mm, 500 N, at the limit of 0.5 * 1000 N; half of that after half the way.
+  CHECK((slope.push(0.5e-3) - 1000 * slope.normal + 250 * velocity / 5).norm() < 1e-9);
+  CHECK((slope.push(0.5e-3) - 1000 * slope.normal + 500 * velocity / 5).norm() < 1e-9);
+  CHECK(slope.state.rigid_contacts[0].friction_work == near_zero(1e-9));
+  CHECK((slope.push(1e-3) - 1000 * slope.normal + 500 * velocity / 5).norm() < 1e-9);  // slips 5 mm
+  CHECK(slope.state.rigid_contacts[0].friction_work == near(500 * 5e-3, 1e-9));
+  CHECK(slope.state.rigid_contacts[0].normal_sum == near(1000.0, 1e-12));
+  CHECK(slope.state.rigid_contacts[0].friction_sum == near(500.0, 1e-12));
+}
