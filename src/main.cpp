@@ -15,6 +15,7 @@
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
 #include "command_line/replay.hpp"
+#include "command_line/sweep.hpp"
 #include "command_line/verify.hpp"
 #include "files/build_identity.hpp"
 #include "transfer/levels.hpp"
@@ -59,6 +60,7 @@ struct Arguments {
   geodrop::ReplayArguments replay;
   geodrop::PlotArguments plot;
   geodrop::EnsembleArguments ensemble;
+  geodrop::SweepArguments sweep;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -310,6 +312,9 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add(
       "ensemble", "run a scene many times with inputs drawn at random; writes manifest.csv and bands.csv",
       [&](Sub& c) { geodrop::add_ensemble_options(c, a.ensemble); }, [&] { return geodrop::run_ensemble(a.ensemble); });
+  add(
+      "sweep", "run a scene over values of its keys; writes manifest.csv",
+      [&](Sub& c) { geodrop::add_sweep_options(c, a.sweep); }, [&] { return geodrop::run_sweep(a.sweep, a.command); });
   add(
       "plot", "draw pictures of a run directory", [&](Sub& c) { geodrop::add_plot_options(c, a.plot); },
       [&] { return geodrop::run_plot(a.plot); });
