@@ -33,8 +33,7 @@ double seconds(const timeval& time) {
 
 }  // namespace
 
-ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors,
-                       std::atomic<pid_t>* process) {
+ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors, std::atomic<pid_t>* process) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());

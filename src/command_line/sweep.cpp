@@ -20,7 +20,8 @@ void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
       ->required()
       ->take_all()
       ->expected(1);
-  command.add_option("--sample", options.samples, "instead of combinations so many samples of ranges (Latin hypercube)")
+  command
+      .add_option("--sample", options.samples, "instead of combinations so many samples of ranges (Latin hypercube)")
       ->check(whole(100000));
   command.add_option("--set", options.overrides, "override a key of the scene for all cases")->take_all()->expected(1);
   command.add_option("--seed", options.seed, "of the random order of samples (default: 0)");

@@ -58,11 +58,9 @@ Axis parse_axis(const std::string& text) {
   axis.values = range.find(':') == std::string::npos ? parts_of(range, ',') : values_between(parts_of(range, ':'));
   const bool has_empty = std::ranges::any_of(axis.values, [](const std::string& value) { return value.empty(); });
   if (!axis.key.empty() && !axis.values.empty() && !has_empty) return axis;
-  throw SceneError("--vary", {{{},
-                               "--vary",
-                               '"' + text + '"',
-                               "KEY=FROM:TO:COUNT (also with :log), or KEY=A,B,C",
-                               ProblemSource::elsewhere}});
+  throw SceneError(
+      "--vary",
+      {{{}, "--vary", '"' + text + '"', "KEY=FROM:TO:COUNT (also with :log), or KEY=A,B,C", ProblemSource::elsewhere}});
 }
 
 std::vector<std::vector<std::string>> combinations(const std::vector<Axis>& axes) {

@@ -13,8 +13,8 @@ struct Axis {
   bool operator==(const Axis&) const = default;
 };
 
-/// Of "KEY=A:B:N", N values from A to B evenly, "KEY=A:B:N:log", by equal factors, or "KEY=A,B,C", words as well. Throws
-/// SceneError if it is anything else.
+/// Of "KEY=A:B:N", N values from A to B evenly, "KEY=A:B:N:log", by equal factors, or "KEY=A,B,C", words as well.
+/// Throws SceneError if it is anything else.
 Axis parse_axis(const std::string& text);
 
 /// All combinations; the last key changes fastest.

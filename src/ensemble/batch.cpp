@@ -38,9 +38,7 @@ std::vector<std::string> settings(const std::vector<std::string>& keys, const st
 }
 
 /// A cell of a table: values of keys may hold commas.
-std::string cell(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
+std::string cell(const std::string& text) { return text.find(',') == std::string::npos ? text : '"' + text + '"'; }
 
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
@@ -87,17 +85,17 @@ void Batch::claim() {
   for (const std::string& override : options_.overrides) design += "set " + override + '\n';
   fs::create_directories(options_.output);
   const fs::path file = options_.output / "design.txt";
-  const std::string found = fs::exists(file)                  ? text_of_file(file)
+  const std::string found = fs::exists(file)                ? text_of_file(file)
                             : fs::is_empty(options_.output) ? design
-                                                              : "other files\n";
+                                                            : "other files\n";
   if (found != design)
-    throw SceneError(options_.output.string(), {{{},
-                                                 "--output",
-                                                 found.starts_with("other") ? "a directory with other files in it"
-                                                                            : options_.kind +
-                                                                                  " of another design (design.txt)",
-                                                 "an empty directory, or one with the same scene, settings and values",
-                                                 ProblemSource::elsewhere}});
+    throw SceneError(options_.output.string(),
+                     {{{},
+                       "--output",
+                       found.starts_with("other") ? "a directory with other files in it"
+                                                  : options_.kind + " of another design (design.txt)",
+                       "an empty directory, or one with the same scene, settings and values",
+                       ProblemSource::elsewhere}});
   write_file_atomically(file, design);
 }
 

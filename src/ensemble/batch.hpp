@@ -41,8 +41,9 @@ class Batch {
   void check(const std::vector<std::vector<std::string>>& values);
   /// Makes the directory. Throws SceneError if it holds runs of another design.
   void claim();
-  /// Makes the runs: one that is done already is not made again, one that was stopped goes on. Writes manifest.csv after
-  /// each. Ctrl-C or SIGTERM stops the runs with a checkpoint. Returns 0, 1 if a run failed, 75 if it was stopped.
+  /// Makes the runs: one that is done already is not made again, one that was stopped goes on. Writes manifest.csv
+  /// after each. Ctrl-C or SIGTERM stops the runs with a checkpoint. Returns 0, 1 if a run failed, 75 if it was
+  /// stopped.
   int run();
   /// What is there, without a run.
   void look();

@@ -8,8 +8,7 @@ namespace {
 
 /// What the values of the runs follow from, one per line.
 std::string design(const EnsembleOptions& options) {
-  std::string text =
-      "samples " + std::to_string(options.samples) + "\nseed " + std::to_string(options.seed) + '\n';
+  std::string text = "samples " + std::to_string(options.samples) + "\nseed " + std::to_string(options.seed) + '\n';
   for (const Variation& variation : options.variations)
     text += "vary " + variation.key + '=' + value_text(variation, variation.low) + ':' +
             value_text(variation, variation.high) + '\n';
@@ -45,8 +44,8 @@ void write_correlations(const EnsembleOptions& options, const std::vector<std::v
 
 int run_ensemble(const EnsembleOptions& options) {
   const auto values = latin_hypercube(options.variations, options.samples, options.seed);
-  BatchOptions of{options.scene, options.overrides, {},           options.output, options.jobs, "an ensemble", "run",
-                  design(options)};
+  BatchOptions of{options.scene, options.overrides, {},    options.output,
+                  options.jobs,  "an ensemble",     "run", design(options)};
   for (const Variation& variation : options.variations) of.keys.push_back(variation.key);
   Batch batch(std::move(of), value_texts(options.variations, values));
   batch.check(ends_of(options.variations));

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iostream>
@@ -101,20 +102,24 @@ void write_script(const SweepOptions& options, std::size_t cases) {
   write_file_atomically(options.output / "array.sbatch", array_script(options, cases));
 }
 
+/// As many results as fit on a line; manifest.csv has all of them.
 void print_table(const SweepOptions& options, const Batch& batch) {
   constexpr int digits = 4;
+  constexpr std::size_t most = 5;
+  const std::size_t shown = std::min(most, batch.result_names().size());
   std::vector<std::string> head{"case"};
   for (const std::string& key : keys_of(options)) head.push_back(key);
   head.emplace_back("state");
-  for (const std::string& name : batch.result_names()) head.push_back(name);
+  for (std::size_t r = 0; r < shown; ++r) head.push_back(batch.result_names()[r]);
   std::vector<std::vector<std::string>> lines{head};
   for (const Member& member : batch.members()) {
     lines.push_back({member.directory.filename().string()});
     lines.back().insert(lines.back().end(), member.values.begin(), member.values.end());
     lines.back().push_back(state_of(member));
-    for (const double value : member.results) lines.back().push_back(format_number(value, digits));
+    for (std::size_t r = 0; r < shown; ++r) lines.back().push_back(format_number(member.results[r], digits));
   }
   std::cout << '\n' << format_table(lines, 'l' + std::string(head.size() - 1, 'r'));
+  if (shown < batch.result_names().size()) std::cout << "all results: manifest.csv\n";
 }
 
 }  // namespace

@@ -23,9 +23,7 @@ T member(const Json& of, const char* name, const T& otherwise = {}) {
 }
 
 /// JSON has no word for what is not finite: null.
-double number(const Json& of, const char* name) {
-  return member(of, name, std::numeric_limits<double>::quiet_NaN());
-}
+double number(const Json& of, const char* name) { return member(of, name, std::numeric_limits<double>::quiet_NaN()); }
 
 RunRecord record_of(const Json& json) {
   RunRecord record;
@@ -37,17 +35,16 @@ RunRecord record_of(const Json& json) {
   record.state_hash = member<std::string>(json, "state_hash");
   record.warnings = member<std::vector<std::string>>(json, "warnings");
   record.wall_seconds = number(json, "wall_s");
-  record.run = {member<std::string>(json, "started"),  member<std::string>(json, "ended"),
-                member<std::string>(json, "host"),     member<std::string>(json, "command"),
-                member<int>(json, "threads"),          member<std::uint64_t>(json, "steps"),
-                member<double>(json, "time_s"),        member<std::size_t>(json, "particles")};
+  record.run = {member<std::string>(json, "started"), member<std::string>(json, "ended"),
+                member<std::string>(json, "host"),    member<std::string>(json, "command"),
+                member<int>(json, "threads"),         member<std::uint64_t>(json, "steps"),
+                member<double>(json, "time_s"),       member<std::size_t>(json, "particles")};
   const Json none = Json::array(), nothing = Json::object();
   const Json stages = json.value("stages", none), expectations = json.value("expectations", none);
   const Json facts = json.value("facts", nothing), results = json.value("results", nothing);
   for (const Json& stage : stages)
     record.stages.push_back({member<std::string>(stage, "name"), number(stage, "seconds")});
-  for (const auto& [name, fact] : facts.items())
-    record.facts.push_back({name, number(fact, "value")});
+  for (const auto& [name, fact] : facts.items()) record.facts.push_back({name, number(fact, "value")});
   for (const auto& [name, result] : results.items())
     record.results.push_back({name, number(result, "value"), member<std::string>(result, "unit")});
   for (const Json& each : expectations) {

@@ -38,8 +38,8 @@ std::vector<std::vector<std::string>> csv(const fs::path& path) {
 
 std::size_t done(const fs::path& output) {
   const auto table = csv(output / "manifest.csv");
-  return static_cast<std::size_t>(std::ranges::count_if(
-      table, [](const auto& row) { return std::ranges::find(row, "done") != row.end(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(table, [](const auto& row) { return std::ranges::find(row, "done") != row.end(); }));
 }
 
 template <class Condition>
@@ -75,8 +75,7 @@ TEST_CASE("A sweep of two keys: all combinations, settlement goes as 1/E") {
 TEST_CASE("A sweep that is killed leaves runs that go on, and the second call completes it") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "killed");
-  const std::vector<std::string> words =
-      sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
+  const std::vector<std::string> words = sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
   Program first(words);
   REQUIRE(wait_until([&] { return is_at_work(output / "case_001") && is_at_work(output / "case_002"); }));
   first.signal(SIGKILL);
@@ -97,8 +96,7 @@ TEST_CASE("A sweep that is killed leaves runs that go on, and the second call co
 TEST_CASE("A sweep that is stopped says so in its manifest, and goes on") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "stopped");
-  const std::vector<std::string> words =
-      sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
+  const std::vector<std::string> words = sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
   Program first(words);
   REQUIRE(wait_until([&] { return is_at_work(output / "case_001") && is_at_work(output / "case_002"); }));
   first.signal(SIGTERM);
@@ -115,8 +113,7 @@ TEST_CASE("A sweep that is stopped says so in its manifest, and goes on") {
 TEST_CASE("The job array makes one case, and queues it again when its time is over") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "array"), queue = fs::path(directory / "scontrol");
-  const std::vector<std::string> words =
-      sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
+  const std::vector<std::string> words = sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
   std::vector<std::string> prepare = words;
   prepare.emplace_back("--no-run");
   REQUIRE(run_program(prepare).code == 0);
