@@ -15,6 +15,8 @@
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
 #include "command_line/replay.hpp"
+#include "command_line/report.hpp"
+#include "command_line/snapshot.hpp"
 #include "command_line/sweep.hpp"
 #include "command_line/verify.hpp"
 #include "files/build_identity.hpp"
@@ -61,6 +63,9 @@ struct Arguments {
   geodrop::PlotArguments plot;
   geodrop::EnsembleArguments ensemble;
   geodrop::SweepArguments sweep;
+  geodrop::SnapshotArguments snapshot;
+  geodrop::ReportArguments report;
+  geodrop::CompareArguments compare;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -316,8 +321,20 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
       "sweep", "run a scene over values of its keys; writes manifest.csv",
       [&](Sub& c) { geodrop::add_sweep_options(c, a.sweep); }, [&] { return geodrop::run_sweep(a.sweep, a.command); });
   add(
-      "plot", "draw pictures of a run directory", [&](Sub& c) { geodrop::add_plot_options(c, a.plot); },
+      "plot", "draw pictures of runs and sweeps: histories, columns, results over keys", [&](Sub& c) { geodrop::add_plot_options(c, a.plot); },
       [&] { return geodrop::run_plot(a.plot); });
+  add(
+      "snapshot", "draw a frame of a run (PNG, no display needed)",
+      [&](Sub& c) { geodrop::add_snapshot_options(c, a.snapshot); }, [&] { return geodrop::run_snapshot(a.snapshot); });
+  add(
+      "animate", "draw all frames of a run (GIF)", [&](Sub& c) { geodrop::add_animate_options(c, a.snapshot); },
+      [&] { return geodrop::run_animate(a.snapshot); });
+  add(
+      "report", "write a page about a run that can be handed in (HTML, PDF)",
+      [&](Sub& c) { geodrop::add_report_options(c, a.report); }, [&] { return geodrop::run_report(a.report); });
+  add(
+      "compare", "print runs side by side: keys, results, differences",
+      [&](Sub& c) { geodrop::add_compare_options(c, a.compare); }, [&] { return geodrop::run_compare(a.compare); });
   return commands;
 }
 
