@@ -42,6 +42,27 @@ std::vector<float> distance_from_void(const std::vector<Nearest>& nearest, Pixel
 
 }  // namespace
 
+Mask inside_of(const std::vector<std::array<double, 4>>& ends, const Window& window, PixelSize size) {
+  const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
+  const double scale = size.width / window.width();  // [px/m]
+  Mask mask(width * height, false);
+  std::vector<double> crossings;
+  for (std::size_t j = 0; j < height; ++j) {
+    const double y = window.lower[1] + (static_cast<double>(j) + 0.5) / scale;
+    crossings.clear();
+    for (const auto& [x0, y0, x1, y1] : ends)
+      if ((y0 <= y) != (y1 <= y))
+        crossings.push_back((x0 + (y - y0) / (y1 - y0) * (x1 - x0) - window.lower[0]) * scale);
+    std::ranges::sort(crossings);
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+      const double from = std::max(0.0, std::ceil(crossings[k] - 0.5)),
+                   to = std::min(crossings[k + 1] - 0.5, size.width - 1.0);
+      for (double i = from; i <= to; ++i) mask[j * width + static_cast<std::size_t>(i)] = true;
+    }
+  }
+  return mask;
+}
+
 std::string draw_discs(const std::vector<Disc>& discs, const Window& window, PixelSize size) {
   const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
   const double scale = size.width / window.width();  // [px/m]
@@ -53,10 +74,17 @@ std::string draw_discs(const std::vector<Disc>& discs, const Window& window, Pix
     const double x = (disc.centre[0] - window.lower[0]) * scale, y = (disc.centre[1] - window.lower[1]) * scale;
     const double radius = std::max(disc.radius * scale, 0.75),
                  far = reach * radius;  // at least the pixel that it is in
+    const bool centre_seen = x >= 0 && y >= 0 && x < size.width && y < size.height;
+    const auto pixel_at = [&](double px, double py) {
+      return static_cast<std::size_t>(py) * width + static_cast<std::size_t>(px);
+    };
+    // What has got out is seen as it is.
+    const bool bounded = disc.within && (!centre_seen || (*disc.within)[pixel_at(x, y)]);
     for (int j = first(y - far); j <= last(y + far, size.height); ++j)
       for (int i = first(x - far); i <= last(x + far, size.width); ++i) {
         const auto distance = static_cast<float>(std::hypot(i + 0.5 - x, j + 0.5 - y));
         const std::size_t pixel = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
+        if (bounded && !(*disc.within)[pixel]) continue;
         if (static_cast<double>(distance) > far || distance >= nearest[pixel].distance) continue;
         nearest[pixel] = {distance, static_cast<float>(radius)};
         pixels[4 * pixel] = static_cast<char>(disc.colour.red);

@@ -45,7 +45,7 @@ std::string section(const std::string& heading, const std::string& content) {
 
 /// "fall_velocity_max_m_s" as "fall velocity max".
 std::string in_words(std::string name) {
-  name.resize(name.size() - unit_ending(name).size());
+  if (!name.ends_with("_r_squared")) name.resize(name.size() - unit_ending(name).size());
   std::ranges::replace(name, '_', ' ');
   return name;
 }

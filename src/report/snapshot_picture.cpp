@@ -112,13 +112,37 @@ Bar membrane_bar(const PictureValues& values, const std::optional<ValueRange>& a
   return bar;
 }
 
-std::vector<Disc> discs_of(const Scene& scene, const ParticleSnapshot& particles, const std::vector<Colour>& colours) {
+/// The inside of the closed membrane around each body; empty where there is none.
+std::vector<Mask> masks_of(const Scene& scene, const MembraneSnapshot& membranes, const Layout& layout) {
+  std::vector<Mask> masks(scene.bodies.size());
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
+    const auto body = std::ranges::find(scene.bodies, scene.membranes[m].body, &BodySpec::name);
+    std::vector<std::array<double, 4>> ends;
+    for (std::size_t s = 0; s < membranes.membrane.size(); ++s) {
+      if (membranes.membrane[s] != m) continue;
+      const double *from = &membranes.points[3 * membranes.connectivity[2 * s]],
+                   *to = &membranes.points[3 * membranes.connectivity[2 * s + 1]];
+      ends.push_back({from[0], from[1], to[0], to[1]});
+    }
+    if (scene.membranes[m].closed && !ends.empty() && body != scene.bodies.end())
+      masks[static_cast<std::size_t>(body - scene.bodies.begin())] = inside_of(ends, layout.window, layout.pixels);
+  }
+  return masks;
+}
+
+std::vector<Disc> discs_of(const Scene& scene, const ParticleSnapshot& particles, const std::vector<Colour>& colours,
+                           const std::vector<Mask>& masks) {
   constexpr double reach = 0.72;  // of the spacing of particles; 0.707 fill a square lattice
   std::vector<double> radius;
   for (const BodySpec& body : scene.bodies) radius.push_back(reach * scene.grid.spacing / body.particles_per_cell_axis);
   std::vector<Disc> discs;
-  for (std::size_t p = 0; p < colours.size(); ++p)
-    discs.push_back({{particles.points[3 * p], particles.points[3 * p + 1]}, radius.at(particles.body[p]), colours[p]});
+  for (std::size_t p = 0; p < colours.size(); ++p) {
+    const Mask& mask = masks.at(particles.body[p]);
+    discs.push_back({{particles.points[3 * p], particles.points[3 * p + 1]},
+                     radius[particles.body[p]],
+                     colours[p],
+                     mask.empty() ? nullptr : &mask});
+  }
   return discs;
 }
 
@@ -144,13 +168,12 @@ struct RigidLines {
 };
 RigidLines rigid_lines(const Scene& scene, const RigidSnapshot& rigid) {
   RigidLines lines;
-  for (std::size_t line = 0; line < rigid.rigid.size(); ++line) {
-    const bool open = is_plane_without_end(scene, rigid.rigid[line]);
-    const bool first = line == 0 || rigid.rigid[line - 1] != rigid.rigid[line];
-    std::string& text = open ? lines.open : lines.closed;
-    if (first) text += "\n\n";
-    text += point_text(rigid.points, rigid.connectivity[2 * line]) + "\n";
-    if (open) text += point_text(rigid.points, rigid.connectivity[2 * line + 1]) + "\n";
+  for (std::size_t first = 0, end = 0; first < rigid.rigid.size(); first = end) {
+    std::string text;
+    for (; end < rigid.rigid.size() && rigid.rigid[end] == rigid.rigid[first]; ++end)
+      text += point_text(rigid.points, rigid.connectivity[2 * end]) + "\n";
+    text += point_text(rigid.points, rigid.connectivity[2 * end - 1]) + "\n\n";
+    (is_plane_without_end(scene, rigid.rigid[first]) ? lines.open : lines.closed) += text;
   }
   return lines;
 }
@@ -272,9 +295,8 @@ std::string page_text(const Scene& scene, const Snapshot& snapshot, const Conten
           ") dx=" + format_number(dx) + " dy=" + format_number(dy) + " using 1:2:3:4 with rgbalpha notitle";
   if (!rigid.closed.empty())
     text +=
-        ", $closed using 1:2 with filledcurves closed fillcolor rgb '#b8b8b8' notitle"
-        ", $closed using 1:2 with filledcurves closed fillstyle empty border linecolor rgb '#202020' linewidth 1.5 "
-        "notitle";
+        ", $closed using 1:2 with filledcurves closed fillstyle solid noborder linecolor rgb '#b8b8b8' notitle"
+        ", $closed using 1:2 with lines linewidth 1.5 linecolor rgb '#202020' notitle";
   if (!rigid.open.empty()) text += ", $open using 1:2 with lines linewidth 3 linecolor rgb '#202020' notitle";
   if (content.membrane) text += ", $membranes using 1:2:3 with lines linewidth 2.5 linecolor rgb variable notitle";
   text += "\nunset object\nunset label\n";
@@ -311,7 +333,8 @@ class PixelFile {
 };
 
 std::string pixels_of(const Scene& scene, const Snapshot& snapshot, const Content& content, const Layout& layout) {
-  return draw_discs(discs_of(scene, snapshot.particles, content.colours), layout.window, layout.pixels);
+  const std::vector<Mask> masks = masks_of(scene, snapshot.membranes, layout);
+  return draw_discs(discs_of(scene, snapshot.particles, content.colours, masks), layout.window, layout.pixels);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <doctest/doctest.h>
 #include <geodrop/base/error.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -57,6 +58,19 @@ TEST_CASE("Narrow gaps between rows of particles are closed, what is outside is 
   CHECK(opaque(5, 5));        // between them
   CHECK_FALSE(opaque(5, 3));  // below: nearer than the gap is wide
   CHECK_FALSE(opaque(5, 7.1));
+}
+
+TEST_CASE("A particle in a closed line is seen inside only, one that has got out as it is") {
+  const Window window{{0, 0}, {10, 10}};
+  const PixelSize size{100, 100};
+  const Mask square = inside_of({{{2, 2, 6, 2}}, {{6, 6, 6, 2}}, {{6, 6, 2, 6}}, {{2, 6, 2, 2}}}, window, size);
+  CHECK(std::ranges::count(square, true) == 40 * 40);
+  CHECK(square[30 * 100 + 30]);
+  CHECK_FALSE(square[30 * 100 + 70]);
+  const std::string kept = draw_discs({{{5.95, 4}, 1, red, &square}}, window, size);
+  CHECK(count(kept, red) == near(100 * std::numbers::pi / 2, 0.06));
+  const std::string out = draw_discs({{{7, 4}, 1, red, &square}}, window, size);
+  CHECK(count(out, red) == near(100 * std::numbers::pi, 0.04));
 }
 
 TEST_CASE("Scales of colours: their ends, their middle, and grey for no number") {
