@@ -256,6 +256,11 @@ void Output<Dim>::progress(double t, std::uint64_t step) {
 }
 
 template <int Dim>
+void Output<Dim>::warn(const std::string& line) {
+  parts_->warn(line);
+}
+
+template <int Dim>
 void Output<Dim>::log(const std::string& line) {
   parts_->console.print(line);
 }
