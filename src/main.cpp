@@ -13,6 +13,7 @@
 #include "command_line/fall.hpp"
 #include "command_line/geotube.hpp"
 #include "command_line/hints.hpp"
+#include "command_line/manual.hpp"
 #include "command_line/new_scene.hpp"
 #include "command_line/only_if.hpp"
 #include "command_line/plot.hpp"
@@ -74,6 +75,7 @@ struct Arguments {
   geodrop::CompareArguments compare;
   geodrop::NewSceneArguments new_scene;
   bool json = false;
+  bool completion = false;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -347,15 +349,11 @@ struct Command {
   std::function<int()> run;
 };
 
-/// All commands, as --help lists them.
-std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
-  std::vector<Command> commands;
-  const auto add = [&](const char* name, const char* about, const auto& add_options, std::function<int()> run) {
-    commands.push_back({app.add_subcommand(name, about), std::move(run)});
-    add_options(*commands.back().app);
-    commands.back().app->footer(geodrop::examples_of(name));
-  };
-  using Sub = CLI::App;
+using Sub = CLI::App;
+
+/// About scenes, this machine, and problems that need no simulation.
+template <class Add>
+void add_scene_commands(const Add& add, Arguments& a) {
   add(
       "run", "run a scene; writes a run directory", [&](Sub& c) { add_run_options(c, a); }, [&] { return run(a); });
   add(
@@ -383,6 +381,11 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add(
       "fall", "the closed-form fall of a container in water", [&](Sub& c) { geodrop::add_fall_options(c, a.fall); },
       [&] { return geodrop::run_fall(a.fall); });
+}
+
+/// Many runs, and what they left behind.
+template <class Add>
+void add_result_commands(const Add& add, Arguments& a) {
   add(
       "verify", "run the cases that have an exact or published reference",
       [&](Sub& c) {
@@ -424,6 +427,26 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add(
       "schema", "print a JSON schema of scene files, by which editors complete keys", [](Sub&) {},
       [] { return std::cout << geodrop::scene_schema(), 0; });
+}
+
+/// All commands, as --help lists them.
+std::vector<Command> add_commands(CLI::App& app, Arguments& arguments) {
+  std::vector<Command> commands;
+  const auto add = [&](const char* name, const char* about, const auto& add_options, std::function<int()> run) {
+    commands.push_back({app.add_subcommand(name, about), std::move(run)});
+    add_options(*commands.back().app);
+    commands.back().app->footer(geodrop::examples_of(name));
+  };
+  add_scene_commands(add, arguments);
+  add_result_commands(add, arguments);
+  add(
+      "manual", "print the page of the manual (roff), or what a shell completes",
+      [&](Sub& c) { c.add_flag("--completion", arguments.completion, "for bash"); },
+      [&] {
+        std::cout << (arguments.completion ? geodrop::bash_completion(app)
+                                           : geodrop::manual_page(app, GEODROP_VERSION));
+        return 0;
+      });
   return commands;
 }
 

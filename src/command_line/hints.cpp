@@ -42,6 +42,8 @@ constexpr std::pair<const char*, const char*> examples[] = {
      "geodrop report runs/dump_kekerdom --pdf"},
     {"compare", "geodrop compare runs/coarse runs/fine"},
     {"new", "geodrop new my_scene\ngeodrop new my_scene --from geotube_556"},
+    {"manual",
+     "geodrop manual | man -l -\ngeodrop manual --completion >~/.local/share/bash-completion/completions/geodrop"},
     {"schema", "geodrop schema >geodrop.schema.json"},
 };
 

@@ -41,12 +41,31 @@ TEST_CASE("help, and examples in the help of every command") {
   CHECK(contains(run_program({"help", "sweep"}).out, "--vary"));
   CHECK(run_program({"help", "nonsense"}).code == 2);
   for (const char* command :
-       {"run", "check", "stages", "info", "bench", "geotube", "release", "fall", "verify", "replay", "ensemble",
-        "sweep", "plot", "snapshot", "animate", "report", "compare", "new", "schema"}) {
+       {"run",      "check", "stages", "info",     "bench",   "geotube", "release", "fall", "verify", "replay",
+        "ensemble", "sweep", "plot",   "snapshot", "animate", "report",  "compare", "new",  "schema", "manual"}) {
     const Outcome outcome = run_program({command, "--help"});
     CHECK(outcome.code == 0);
     CHECK_MESSAGE(contains(outcome.out, std::string("Examples:\n  geodrop ") + command), command);
   }
+}
+
+TEST_CASE("The manual and the completion know every command and option") {
+  const std::string page = run_program({"manual"}).out;
+  CHECK(page.starts_with(".TH GEODROP 1"));
+  CHECK(contains(page, ".SS geodrop sweep"));
+  CHECK(contains(page, "\\-\\-no\\-run"));
+  const geodrop::TemporaryDirectory directory;
+  std::ofstream(directory / "geodrop") << run_program({"manual", "--completion"}).out;
+  const auto completed = [&](const std::string& words, int at) {
+    const std::string command = "bash -c 'source " + (directory / "geodrop").string() + "; COMP_WORDS=(" + words +
+                                "); COMP_CWORD=" + std::to_string(at) + "; _geodrop; echo ${COMPREPLY[*]}' >" +
+                                (directory / "said").string();
+    REQUIRE(std::system(command.c_str()) == 0);
+    return geodrop::read_file(directory / "said");
+  };
+  CHECK(completed("geodrop sn", 1) == "snapshot\n");
+  CHECK(completed("geodrop run a.toml --ov", 3) == "--overwrite\n");
+  CHECK(completed("geodrop sweep --no", 2) == "--no-run\n");
 }
 
 TEST_CASE("check and info as JSON") {
