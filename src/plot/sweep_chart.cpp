@@ -48,6 +48,19 @@ void sort_by_x(ChartSeries& series) {
   for (std::size_t i = 0; i < points.size(); ++i) std::tie(series.x[i], series.y[i]) = points[i];
 }
 
+/// Large numbers along x in thousands or millions, so that they stand side by side.
+void scale_x(ChartPanel& panel) {
+  constexpr double long_number = 1e5, kilo = 1e3, mega = 1e6;
+  double largest = 0;
+  for (const ChartSeries& series : panel.series)
+    for (const double x : series.x) largest = std::max(largest, std::abs(x));
+  if (largest < long_number) return;
+  const double unit = largest < mega ? kilo : mega;
+  for (ChartSeries& series : panel.series)
+    for (double& x : series.x) x /= unit;
+  panel.x_label += unit == kilo ? " [1e3]" : " [1e6]";
+}
+
 }  // namespace
 
 Chart sweep_chart(const SweepChartOptions& options) {
@@ -84,6 +97,7 @@ Chart sweep_chart(const SweepChartOptions& options) {
     series.style = scattered ? SeriesStyle::points : SeriesStyle::marked_line;
     panel.series.push_back(series);
   }
+  scale_x(panel);
   return {options.directory.string(), {panel}, 1};
 }
 

@@ -39,6 +39,8 @@ const std::string manifest =
     "case_004,3.0,high,\"[1, 2]\",failed,1,99,4\n"
     "case_005,4.0,high,\"[1, 2]\",waiting,,nan,nan\n";
 
+const std::string stiff = "run,E,state,exit_code,height_m\ncase_001,2e6,done,0,1\ncase_002,4e7,done,0,2\n";
+
 }  // namespace
 
 TEST_CASE("Columns of two runs: a panel for each unit, a line for each run; a reference beside") {
@@ -89,4 +91,12 @@ TEST_CASE("A result over one key, and over two with a curve for each value; only
                    sweep_chart({directory / "none", {"b.key"}, "height_m"});
                  }),
                  "the manifest of a sweep"));
+}
+
+TEST_CASE("Large numbers along x stand in millions") {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "manifest.csv") << stiff;
+  const Chart large = sweep_chart({directory / "", {"E"}, "height_m"});
+  CHECK(large.panels.at(0).x_label == "E [1e6]");
+  CHECK(large.panels[0].series.at(0).x == Values{2, 40});
 }
