@@ -376,7 +376,8 @@ void draw_snapshot(const Scene& scene, const Snapshot& snapshot, const PictureOp
 void draw_animation(const Scene& scene, const fs::path& directory, const std::vector<std::size_t>& frames,
                     PictureOptions options, const fs::path& file) {
   constexpr std::chrono::seconds patience_for_each{4};
-  // Window and scales of the first, the middle and the last frame together.
+  const bool range_given = options.range.has_value(), tensions_given = options.tensions.has_value();
+  // Scales of the first, the middle and the last frame together, window of the first.
   for (const std::size_t index : {frames.front(), frames[frames.size() / 2], frames.back()}) {
     const Snapshot snapshot = read_frame(directory, index);
     check_picture(scene, snapshot, options);
@@ -386,8 +387,8 @@ void draw_animation(const Scene& scene, const fs::path& directory, const std::ve
       range = range ? ValueRange{std::min(range->first, bar->range.first), std::max(range->second, bar->range.second)}
                     : bar->range;
     };
-    join(options.range, content.field, false);
-    join(options.tensions, content.membrane, false);
+    join(options.range, content.field, range_given);
+    join(options.tensions, content.membrane, tensions_given);
     if (!options.window) options.window = whole_window(scene, snapshot);
   }
   std::deque<PixelFile> pixels;
