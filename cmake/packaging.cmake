@@ -1,6 +1,15 @@
 # `cmake --install` and the Debian package (cpack -G DEB; needs dpkg-dev and file, which find out the dependencies).
 set(share "${CMAKE_INSTALL_DATADIR}/geodrop")
 install(TARGETS geodrop)
+# The page of the manual and the completion of bash tell what the program knows: it writes them itself.
+set(told "${PROJECT_BINARY_DIR}/manual")
+file(MAKE_DIRECTORY "${told}")
+add_custom_command(TARGET geodrop POST_BUILD
+                   COMMAND geodrop manual > "${told}/geodrop.1"
+                   COMMAND geodrop manual --completion > "${told}/geodrop"
+                   COMMENT "Writing page of the manual and completion" VERBATIM)
+install(FILES "${told}/geodrop.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(FILES "${told}/geodrop" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(DIRECTORY cases paraview DESTINATION "${share}" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")

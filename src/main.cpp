@@ -6,17 +6,27 @@
 #include <geodrop/step/run.hpp>
 #include <geodrop/version.hpp>
 
+#include "base/json.hpp"
 #include "base/shell_command.hpp"
 #include "bench/machine.hpp"
 #include "command_line/ensemble.hpp"
 #include "command_line/fall.hpp"
 #include "command_line/geotube.hpp"
+#include "command_line/hints.hpp"
+#include "command_line/manual.hpp"
+#include "command_line/new_scene.hpp"
 #include "command_line/only_if.hpp"
 #include "command_line/plot.hpp"
 #include "command_line/release.hpp"
 #include "command_line/replay.hpp"
+#include "command_line/report.hpp"
+#include "command_line/snapshot.hpp"
+#include "command_line/sweep.hpp"
 #include "command_line/verify.hpp"
+#include "doubts/doubts.hpp"
 #include "files/build_identity.hpp"
+#include "reader/scene_schema.hpp"
+#include "step/effort.hpp"
 #include "transfer/levels.hpp"
 
 #include <omp.h>
@@ -59,6 +69,13 @@ struct Arguments {
   geodrop::ReplayArguments replay;
   geodrop::PlotArguments plot;
   geodrop::EnsembleArguments ensemble;
+  geodrop::SweepArguments sweep;
+  geodrop::SnapshotArguments snapshot;
+  geodrop::ReportArguments report;
+  geodrop::CompareArguments compare;
+  geodrop::NewSceneArguments new_scene;
+  bool json = false;
+  bool completion = false;
   std::vector<std::string> command;  ///< as the user typed it, the program first
 };
 
@@ -143,16 +160,58 @@ int run(const Arguments& arguments) {
 }
 
 void print_notes(const geodrop::Scene& scene) {
+  for (const std::string& doubt : geodrop::doubts(scene)) std::cout << "warning: " << doubt << '\n';
   for (const std::string& note : geodrop::scene_notes(scene)) std::cout << "note: " << note << '\n';
 }
 
+std::string texts_json(const std::vector<std::string>& texts) {
+  std::vector<std::string> items;
+  for (const std::string& text : texts) items.push_back(geodrop::json_text(text));
+  return geodrop::json_array(items);
+}
+
+std::string problems_json(const geodrop::SceneError& error) {
+  std::vector<std::string> items;
+  for (const geodrop::SceneProblem& problem : error.problems())
+    items.push_back(geodrop::json_record({{"line", std::to_string(problem.at.line)},
+                                          {"column", std::to_string(problem.at.column)},
+                                          {"key", geodrop::json_text(problem.key)},
+                                          {"found", geodrop::json_text(problem.found)},
+                                          {"allowed", geodrop::json_text(problem.allowed)}}));
+  return geodrop::json_array(items);
+}
+
+/// Mistakes, warnings and notes for other programs; the same exit codes.
+int check_for_programs(const Arguments& arguments) {
+  std::string problems = "[]", warnings = "[]", notes = "[]";
+  int code = 0;
+  try {
+    const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
+    geodrop::check_results(scene);
+    geodrop::check_first_step(scene);
+    warnings = texts_json(geodrop::doubts(scene));
+    notes = texts_json(geodrop::scene_notes(scene));
+  } catch (const geodrop::SceneError& error) {
+    problems = problems_json(error);
+    code = exit_usage;
+  }
+  std::cout << geodrop::json_object({{"file", geodrop::json_text(arguments.scene)},
+                                     {"problems", problems},
+                                     {"warnings", warnings},
+                                     {"notes", notes}})
+            << '\n';
+  return code;
+}
+
 int check(const Arguments& arguments) {
+  if (arguments.json) return check_for_programs(arguments);
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
   geodrop::check_results(scene);
   geodrop::check_first_step(scene);
   std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
             << scene.membranes.size() << " membranes\n";
   print_notes(scene);
+  std::cout << "a run: " << geodrop::effort_in_words(geodrop::estimate_effort(scene, 1)) << '\n';
   return 0;
 }
 
@@ -161,14 +220,36 @@ int stages(const Arguments& arguments) {
   return 0;
 }
 
+/// Version and, of a scene, its facts and effort.
+int info_for_programs(const Arguments& arguments, const geodrop::BuildIdentity& build) {
+  std::vector<std::pair<std::string, std::string>> members{
+      {"version", geodrop::json_text(build.version)},
+      {"compiler", geodrop::json_text(build.compiler)},
+      {"cores", std::to_string(omp_get_num_procs())},
+      {"kernels", geodrop::json_text(geodrop::kernel_level_name())}};
+  if (!arguments.scene.empty()) {
+    const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
+    for (const geodrop::Fact& fact : geodrop::scene_facts(scene))
+      members.emplace_back(fact.name, geodrop::json_number(fact.value));
+    const geodrop::Effort effort = geodrop::estimate_effort(scene, choose_threads(0));
+    members.emplace_back("wall_s", geodrop::json_number(effort.seconds));
+    members.emplace_back("output_bytes", geodrop::json_number(effort.output_bytes));
+  }
+  std::cout << geodrop::json_object(members) << '\n';
+  return 0;
+}
+
 int info(const Arguments& arguments) {
   const geodrop::BuildIdentity build = geodrop::this_build();
+  if (arguments.json) return info_for_programs(arguments, build);
   std::cout << "geodrop " << build.version << ", " << build.compiler << ", " << omp_get_num_procs()
             << " cores, kernels for " << geodrop::kernel_level_name() << ", sums " << build.sums << '\n';
   if (arguments.scene.empty()) return 0;
   const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
   for (const geodrop::Fact& fact : geodrop::scene_facts(scene))
     std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);
+  std::fflush(stdout);
+  std::cout << "a run: " << geodrop::effort_in_words(geodrop::estimate_effort(scene, choose_threads(0))) << '\n';
   print_notes(scene);
   return 0;
 }
@@ -242,7 +323,12 @@ void add_run_options(CLI::App& command, Arguments& arguments) {
       ->check(steps());
 }
 
+void add_json(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--json", arguments.json, "print JSON, for other programs");
+}
+
 void add_info_options(CLI::App& command, Arguments& arguments) {
+  add_json(command, arguments);
   command.add_option("scene", arguments.scene, "scene file");
   command.add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
 }
@@ -263,18 +349,20 @@ struct Command {
   std::function<int()> run;
 };
 
-/// All commands, as --help lists them.
-std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
-  std::vector<Command> commands;
-  const auto add = [&](const char* name, const char* about, const auto& add_options, std::function<int()> run) {
-    commands.push_back({app.add_subcommand(name, about), std::move(run)});
-    add_options(*commands.back().app);
-  };
-  using Sub = CLI::App;
+using Sub = CLI::App;
+
+/// About scenes, this machine, and problems that need no simulation.
+template <class Add>
+void add_scene_commands(const Add& add, Arguments& a) {
   add(
       "run", "run a scene; writes a run directory", [&](Sub& c) { add_run_options(c, a); }, [&] { return run(a); });
   add(
-      "check", "read a scene and report every mistake", [&](Sub& c) { add_scene(c, a); }, [&] { return check(a); });
+      "check", "read a scene and report every mistake, and what is doubtful",
+      [&](Sub& c) {
+        add_scene(c, a);
+        add_json(c, a);
+      },
+      [&] { return check(a); });
   add(
       "stages", "print the rows of a step of this scene, with the fields that they read and write",
       [&](Sub& c) { add_scene(c, a); }, [&] { return stages(a); });
@@ -293,6 +381,11 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add(
       "fall", "the closed-form fall of a container in water", [&](Sub& c) { geodrop::add_fall_options(c, a.fall); },
       [&] { return geodrop::run_fall(a.fall); });
+}
+
+/// Many runs, and what they left behind.
+template <class Add>
+void add_result_commands(const Add& add, Arguments& a) {
   add(
       "verify", "run the cases that have an exact or published reference",
       [&](Sub& c) {
@@ -311,19 +404,79 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
       "ensemble", "run a scene many times with inputs drawn at random; writes manifest.csv and bands.csv",
       [&](Sub& c) { geodrop::add_ensemble_options(c, a.ensemble); }, [&] { return geodrop::run_ensemble(a.ensemble); });
   add(
-      "plot", "draw pictures of a run directory", [&](Sub& c) { geodrop::add_plot_options(c, a.plot); },
-      [&] { return geodrop::run_plot(a.plot); });
+      "sweep", "run a scene over values of its keys; writes manifest.csv",
+      [&](Sub& c) { geodrop::add_sweep_options(c, a.sweep); }, [&] { return geodrop::run_sweep(a.sweep, a.command); });
+  add(
+      "plot", "draw pictures of runs and sweeps: histories, columns, results over keys",
+      [&](Sub& c) { geodrop::add_plot_options(c, a.plot); }, [&] { return geodrop::run_plot(a.plot); });
+  add(
+      "snapshot", "draw a frame of a run (PNG, no display needed)",
+      [&](Sub& c) { geodrop::add_snapshot_options(c, a.snapshot); }, [&] { return geodrop::run_snapshot(a.snapshot); });
+  add(
+      "animate", "draw all frames of a run (GIF)", [&](Sub& c) { geodrop::add_animate_options(c, a.snapshot); },
+      [&] { return geodrop::run_animate(a.snapshot); });
+  add(
+      "report", "write a page about a run that can be handed in (HTML, PDF)",
+      [&](Sub& c) { geodrop::add_report_options(c, a.report); }, [&] { return geodrop::run_report(a.report); });
+  add(
+      "compare", "print runs side by side: keys, results, differences",
+      [&](Sub& c) { geodrop::add_compare_options(c, a.compare); }, [&] { return geodrop::run_compare(a.compare); });
+  add(
+      "new", "write a scene to begin with", [&](Sub& c) { geodrop::add_new_scene_options(c, a.new_scene); },
+      [&] { return geodrop::run_new_scene(a.new_scene); });
+  add(
+      "schema", "print a JSON schema of scene files, by which editors complete keys", [](Sub&) {},
+      [] { return std::cout << geodrop::scene_schema(), 0; });
+}
+
+/// All commands, as --help lists them.
+std::vector<Command> add_commands(CLI::App& app, Arguments& arguments) {
+  std::vector<Command> commands;
+  const auto add = [&](const char* name, const char* about, const auto& add_options, std::function<int()> run) {
+    commands.push_back({app.add_subcommand(name, about), std::move(run)});
+    add_options(*commands.back().app);
+    commands.back().app->footer(geodrop::examples_of(name));
+  };
+  add_scene_commands(add, arguments);
+  add_result_commands(add, arguments);
+  add(
+      "manual", "print the page of the manual (roff), or what a shell completes",
+      [&](Sub& c) { c.add_flag("--completion", arguments.completion, "for bash"); },
+      [&] {
+        std::cout << (arguments.completion ? geodrop::bash_completion(app)
+                                           : geodrop::manual_page(app, GEODROP_VERSION));
+        return 0;
+      });
   return commands;
 }
 
+/// `geodrop help` and `geodrop help COMMAND`.
+int print_help(const CLI::App& app, const std::string& command) {
+  const auto named = app.get_subcommands([&](const CLI::App* each) { return each->get_name() == command; });
+  const CLI::App* const of = command.empty() ? &app : named.empty() ? nullptr : named.front();
+  if (of)
+    std::cout << of->help();
+  else
+    std::cerr << "geodrop: " << geodrop::hint_for(app, {"geodrop", command}) << '\n';
+  return of ? 0 : exit_usage;
+}
+
 /// Exit code of the exception that is being handled, told on stderr.
-int exit_code_of_exception(const CLI::App& app) {
+int exit_code_of_exception(const CLI::App& app, const std::vector<std::string>& words) {
   const auto tell = [](const std::string& text, int code) {
     std::cerr << text << '\n';
     return code;
   };
   try {
     throw;
+  } catch (const CLI::RequiredError& error) {
+    if (app.get_subcommands().empty())
+      return tell("geodrop: a command is missing: " + geodrop::commands_of(app) + "; geodrop --help tells more",
+                  exit_usage);
+    return app.exit(error) == 0 ? 0 : exit_usage;
+  } catch (const CLI::ExtrasError& error) {
+    const std::string hint = geodrop::hint_for(app, words);
+    return hint.empty() ? (app.exit(error), exit_usage) : tell("geodrop: " + hint, exit_usage);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
   } catch (const geodrop::SceneError& error) {
@@ -354,11 +507,12 @@ int main(int argc, char** argv) {
   arguments.command = typed_command(argc, argv);
   const std::vector<Command> commands = add_commands(app, arguments);
   try {
+    if (argc > 1 && std::string(argv[1]) == "help") return print_help(app, argc > 2 ? argv[2] : "");
     app.parse(argc, argv);
     for (const Command& command : commands)
       if (*command.app) return command.run();
     throw CLI::RequiredError::Subcommand(1);
   } catch (...) {
-    return exit_code_of_exception(app);
+    return exit_code_of_exception(app, arguments.command);
   }
 }

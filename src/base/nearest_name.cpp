@@ -31,15 +31,22 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
     return distance(a) < distance(b);
   });
-  return nearest == known.end() ? "" : *nearest;
+  if (nearest == known.end()) return "";
+  const std::string_view longer = name.size() < nearest->size() ? *nearest : name;
+  const std::string_view shorter = name.size() < nearest->size() ? name : *nearest;
+  constexpr std::size_t least_part = 4;  // letters of a word that goes on or stops early
+  const bool part = (shorter.size() >= least_part && longer.find(shorter) != std::string_view::npos) ||
+                    (longer.size() == 2 && longer.starts_with(shorter));
+  const int limit = std::max(1, static_cast<int>(std::min(longer.size(), compared)) / 3);
+  return part || (distance(*nearest) <= limit && shorter.size() > 1) ? *nearest : "";
 }
 
 std::string name_advice(std::string_view name, const std::vector<std::string>& known, std::string_view kind) {
   if (known.empty()) return "nothing here: the scene has no " + std::string(kind);
   std::string text = "one of ";
   for (const std::string& word : known) text += (&word == &known.front() ? "\"" : ", \"") + word + '"';
-  text += "; the nearest is \"" + nearest_name(name, known) + '"';
-  return text;
+  const std::string nearest = nearest_name(name, known);
+  return nearest.empty() ? text : text + "; the nearest is \"" + nearest + '"';
 }
 
 }  // namespace geodrop

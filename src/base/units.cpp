@@ -18,13 +18,22 @@ constexpr Ending endings[] = {
     {"_m", "m"},           {"_s", "s"},         {"_ratio", "1"},     {"_r_squared", "1"}, {"_count", "1"},
 };
 
+const Ending* find_ending(const std::string& name) {
+  for (const Ending& known : endings)
+    if (name.size() > known.ending.size() && name.ends_with(known.ending)) return &known;
+  return nullptr;
+}
+
 }  // namespace
 
 std::string unit_of_name(const std::string& name) {
-  for (const Ending& known : endings) {
-    if (name.size() > known.ending.size() && name.ends_with(known.ending)) return std::string(known.unit);
-  }
-  return {};
+  const Ending* const found = find_ending(name);
+  return found ? std::string(found->unit) : std::string();
+}
+
+std::string unit_ending(const std::string& name) {
+  const Ending* const found = find_ending(name);
+  return found ? std::string(found->ending) : std::string();
 }
 
 }  // namespace geodrop

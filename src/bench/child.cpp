@@ -1,10 +1,13 @@
 #include "child.hpp"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -13,6 +16,10 @@ namespace geodrop {
 namespace {
 
 [[noreturn]] void become(std::vector<char*>& words, int out, ChildErrors errors) {
+  setpgid(0, 0);
+  // Not SIGTERM: it comes once for each thread of the parent that ends, and a second SIGTERM is obeyed at once.
+  signal(SIGHUP, SIG_DFL);
+  prctl(PR_SET_PDEATHSIG, SIGHUP);
   setenv("OMP_WAIT_POLICY", "passive", 1);
   dup2(out, STDOUT_FILENO);
   if (errors == ChildErrors::drop) dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
@@ -26,7 +33,7 @@ double seconds(const timeval& time) {
 
 }  // namespace
 
-ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors) {
+ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors, std::atomic<pid_t>* process) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
@@ -36,6 +43,7 @@ ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot start " + words.front());
   if (child == 0) become(arguments, ends[1], errors);
+  if (process) *process = child;
   close(ends[1]);
   ChildOutcome outcome;
   char text[4096];
@@ -44,7 +52,8 @@ ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors
   close(ends[0]);
   int status = 0;
   rusage used{};
-  wait4(child, &status, 0, &used);
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) continue;
+  if (process) *process = 0;
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   return outcome;

@@ -1,6 +1,9 @@
 // Another program, run to its end.
 #pragma once
 
+#include <sys/types.h>
+
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -18,8 +21,10 @@ struct ChildOutcome {
 enum class ChildErrors { show, drop };
 
 /// Runs a program of the search path, or at a path, and waits. Its threads wait passively, which spares geodrop a
-/// restart.
-ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors = ChildErrors::show);
+/// restart. A terminal's Ctrl-C does not reach it; it is asked to stop (SIGHUP) when this process ends. `process` holds
+/// its number while it runs, else 0.
+ChildOutcome run_child(const std::vector<std::string>& words, ChildErrors errors = ChildErrors::show,
+                       std::atomic<pid_t>* process = nullptr);
 
 /// The file of this program.
 std::string own_program();

@@ -36,7 +36,8 @@ std::filesystem::path find_in_tree(const std::filesystem::path& relative) {
   for (std::filesystem::path start :
        {std::filesystem::current_path(none), std::filesystem::read_symlink("/proc/self/exe", none).parent_path()})
     for (;; start = start.parent_path()) {
-      if (std::filesystem::exists(start / relative, none)) return start / relative;
+      for (const std::filesystem::path& root : {start, start / "share" / "geodrop"})  // as it is installed
+        if (std::filesystem::exists(root / relative, none)) return root / relative;
       if (start == start.parent_path()) break;
     }
   return {};

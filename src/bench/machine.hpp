@@ -13,7 +13,7 @@ std::string processor_name();
 double available_memory();
 
 /// A file or directory of the source tree, found from the program (`build/PRESET/geodrop`) or from the current
-/// directory upwards; empty if there is none.
+/// directory upwards, or where it is installed (share/geodrop); empty if there is none.
 std::filesystem::path find_in_tree(const std::filesystem::path& relative);
 
 }  // namespace geodrop

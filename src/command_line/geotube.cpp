@@ -1,6 +1,7 @@
 // Options to inputs, one solution or a table of them, results to the terminal and to files.
 #include "geotube.hpp"
 
+#include "doubts/doubts.hpp"
 #include "geotube_report.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
@@ -138,6 +139,9 @@ int run_geotube(const GeotubeArguments& arguments) {
   if (!arguments.output.empty()) check_geotube_directory(arguments.output);
   const GeotubeReport report{inputs.front(), solve(inputs), strength,
                              arguments.table.empty() ? ReportLayout::one_tube : ReportLayout::table};
+  for (const std::string& doubt : {doubt_unit_weight("--unit-weight", arguments.unit_weight),
+                                   doubt_unit_weight("--water-unit-weight", arguments.water_unit_weight.value_or(0))})
+    if (!doubt.empty()) std::cerr << "geodrop: warning: " << doubt << '\n';
   std::cout << report_text(report);
   if (!arguments.output.empty()) write_geotube_files(arguments.output, report, arguments.segments);
   return 0;

@@ -1,225 +1,83 @@
-// history.csv to one picture with a panel for each kind of column, each geotube probe to one beside the exact tube,
-// each section probe to one against the angle of what opens.
 #include "plot.hpp"
 
-#include "keys/plain_values.hpp"
-#include "plot/chart.hpp"
-#include "plot/csv_table.hpp"
+#include "plot/column_chart.hpp"
+#include "plot/run_charts.hpp"
+#include "plot/sweep_chart.hpp"
 
-#include <geodrop/base/error.hpp>
-#include <geodrop/base/input_file.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <vector>
 
 namespace geodrop {
 namespace {
 
-enum class Measure { value, change };  ///< as it is, or since the first row
+namespace fs = std::filesystem;
 
-/// The columns that a panel shows: their names begin so and end in one of these, the unit stripped in the legend.
-struct Kind {
-  std::string title, y_label, unit, beginning;
-  std::vector<std::string> endings;
-  Measure measure;
-};
-
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
-      {"Position", "position [m]", "_m", "", {".position_x_m", ".position_y_m", ".position_z_m"}, Measure::value},
-      {"Velocity",
-       "velocity [m/s]",
-       "_m_s",
-       "",
-       {".velocity_x_m_s", ".velocity_y_m_s", ".velocity_z_m_s"},
-       Measure::value},
-      {"Membrane tension", "tension [N/m]", "_N_m", "", {".tension_max_N_m", ".tension_mean_N_m"}, Measure::value},
-      // Of a deep basin all would be flat lines beside its potential energy.
-      {"Energy since the start", "change of energy [J]", "_J", "energy.", {"_J"}, Measure::change}};
-  return all;
+void draw(const Chart& chart, const fs::path& picture) {
+  write_chart(chart, picture);
+  std::cout << picture.string() << '\n';
 }
 
-bool shows(const Kind& kind, const std::string& column) {
-  return column.starts_with(kind.beginning) &&
-         std::any_of(kind.endings.begin(), kind.endings.end(),
-                     [&](const std::string& ending) { return column.ends_with(ending); });
+/// The file that was asked for, or this one in the first directory.
+fs::path picture_of(const PlotArguments& arguments, const std::string& stem) {
+  if (!arguments.output.empty()) return arguments.output;
+  return fs::path(arguments.directories.front()) / (stem + "." + arguments.format);
 }
 
-ChartSeries make_series(const CsvTable& table, const std::string& name, const Kind& kind) {
-  const std::size_t begin = kind.beginning.size();
-  ChartSeries series{name.substr(begin, name.size() - kind.unit.size() - begin), table.column("time_s"),
-                     table.column(name)};
-  if (kind.measure == Measure::value) return series;
-  const double first = series.y.front();
-  for (double& value : series.y) value -= first;
-  return series;
+int plot_sweep(const PlotArguments& arguments) {
+  const SweepChartOptions options{arguments.directories.front(), arguments.over, arguments.result};
+  std::string stem = arguments.result + "_over_" + arguments.over.front();
+  if (arguments.over.size() > 1) stem += "_and_" + arguments.over[1];
+  draw(sweep_chart(options), picture_of(arguments, stem));
+  return 0;
 }
 
-/// A panel for every kind that the run has columns of.
-Chart history_chart(const CsvTable& table, const std::string& title) {
-  Chart chart{title, {}, 2};
-  for (const Kind& kind : kinds()) {
-    ChartPanel panel{kind.title, "time [s]", kind.y_label, {}};
-    for (const std::string& name : table.names)
-      if (shows(kind, name)) panel.series.push_back(make_series(table, name, kind));
-    if (!panel.series.empty()) chart.panels.push_back(panel);
-  }
-  return chart;
-}
-
-/// Simulated and exact outline, pressure against height, tension along the membrane of the geotube of one probe.
-Chart geotube_chart(const std::filesystem::path& directory, const std::string& stem) {
-  const auto table = [&](const std::string& which) { return read_csv(directory / (stem + "_" + which + ".csv")); };
-  const auto along_membrane = [](const CsvTable& outline) {  // lengths
-    std::vector<double> s{0.0};
-    const auto &x = outline.column("x_m"), &y = outline.column("y_m");
-    for (std::size_t k = 1; k < x.size(); ++k) s.push_back(s.back() + std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]));
-    return s;
+int plot_columns(const PlotArguments& arguments) {
+  const auto paths = [](const std::vector<std::string>& texts) {
+    return std::vector<fs::path>(texts.begin(), texts.end());
   };
-  const CsvTable outline = table("outline"), pressure = table("pressure");
-  ChartPanel shape{"Outline", "x [m]", "y [m]", {}, Aspect::equal};
-  ChartPanel pressures{"Pressure of the fill", "pressure [Pa]", "y [m]", {}};
-  ChartPanel tension{"Tension", "along the membrane [m]", "tension [N/m]", {}};
-  shape.series.push_back({"simulated", outline.column("x_m"), outline.column("y_m")});
-  pressures.series.push_back(
-      {"particles", pressure.column("pressure_Pa"), pressure.column("height_m"), SeriesStyle::points});
-  tension.series.push_back({"simulated", along_membrane(outline), outline.column("tension_N_m")});
-  if (std::filesystem::exists(directory / (stem + "_exact.csv"))) {
-    const CsvTable exact = table("exact");
-    shape.series.push_back({"exact", exact.column("x_m"), exact.column("y_m"), SeriesStyle::dashed});
-    pressures.series.push_back({"exact", exact.column("pressure_Pa"), exact.column("y_m"), SeriesStyle::dashed});
-    tension.series.push_back({"exact", along_membrane(exact), exact.column("tension_N_m"), SeriesStyle::dashed});
-  }
-  return {directory.string(), {shape, pressures, tension}, 2};
-}
-
-/// What the geotube probes of a run have left, as "geotube_PROBE".
-std::vector<std::string> geotube_stems(const std::filesystem::path& directory) {
-  const std::string ending = "_outline.csv";
-  std::vector<std::string> stems;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("geotube_") && name.ends_with(ending))
-      stems.push_back(name.substr(0, name.size() - ending.size()));
-  }
-  std::sort(stems.begin(), stems.end());
-  return stems;
-}
-
-// --- Section forces against the opening of a barge -------------------------------------------------------------------
-
-const std::string rotation_ending = ".rotation_deg";
-
-/// Columns that end so, without the ending.
-std::vector<std::string> names_of(const CsvTable& table, const std::string& ending) {
-  std::vector<std::string> names;
-  for (const std::string& column : table.names)
-    if (column.ends_with(ending)) names.push_back(column.substr(0, column.size() - ending.size()));
-  return names;
-}
-
-double turn_of(const CsvTable& table, const std::string& name) {
-  const std::vector<double>& angle = table.column(name + rotation_ending);
-  const auto [least, most] = std::minmax_element(angle.begin(), angle.end());
-  return *most - *least;
-}
-
-/// Rigid bodies that turn at least almost as far as the one that turns most.
-std::vector<std::string> most_turned(const CsvTable& table) {
-  constexpr double almost = 0.99;
-  std::vector<std::string> names = names_of(table, ".displacement_x_m");  // which bodies of particles do not have
-  std::erase_if(names, [&](const std::string& name) {
-    return std::count(table.names.begin(), table.names.end(), name + rotation_ending) == 0;
-  });
-  double most = 0;
-  for (const std::string& name : names) most = std::max(most, turn_of(table, name));
-  std::erase_if(names, [&](const std::string& name) { return most == 0 || turn_of(table, name) < almost * most; });
-  return names;
-}
-
-/// Rows in which an angle differs from that before or after.
-std::vector<std::size_t> rows_that_turn(const std::vector<double>& angle) {
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < angle.size(); ++i) {
-    const bool turned = i > 0 && angle[i] != angle[i - 1], will_turn = i + 1 < angle.size() && angle[i] != angle[i + 1];
-    if (turned || will_turn) rows.push_back(i);
-  }
-  return rows;
-}
-
-/// Of several barges the one that opens the container of the probe: its geotextile is tightest meanwhile.
-std::string barge_of(const CsvTable& table, const std::string& probe, const std::vector<std::string>& rigids) {
-  const std::vector<double>& force = table.column(probe + ".membrane_force_N_m");
-  std::string found = rigids.front();
-  double most = 0;
-  for (const std::string& rigid : rigids)
-    for (const std::size_t i : rows_that_turn(table.column(rigid + rotation_ending)))
-      if (force[i] > most) {
-        found = rigid;
-        most = force[i];
-      }
-  return found;
-}
-
-/// Force of the soil, of the geotextile, and their difference, which the walls bear.
-Chart section_chart(const CsvTable& table, const std::string& probe, const std::string& rigid) {
-  const std::vector<double>& angle = table.column(rigid + rotation_ending);
-  ChartSeries soil{"soil", {}, {}}, geotextile{"geotextile", {}, {}}, difference{"difference", {}, {}};
-  difference.style = SeriesStyle::dashed;
-  for (const std::size_t i : rows_that_turn(angle)) {
-    for (ChartSeries* series : {&soil, &geotextile, &difference}) series->x.push_back(std::abs(angle[i]));
-    soil.y.push_back(table.column(probe + ".soil_force_N_m")[i]);
-    geotextile.y.push_back(table.column(probe + ".membrane_force_N_m")[i]);
-    difference.y.push_back(soil.y.back() - geotextile.y.back());
-  }
-  return {
-      "Section " + probe,
-      {{"Forces across the section", "angle of " + rigid + " [deg]", "force [N/m]", {soil, geotextile, difference}}},
-      1};
-}
-
-/// Probes of which both forces were recorded.
-std::vector<std::string> section_probes(const CsvTable& table) {
-  std::vector<std::string> probes = names_of(table, ".soil_force_N_m");
-  std::erase_if(probes, [&](const std::string& probe) {
-    return std::count(table.names.begin(), table.names.end(), probe + ".membrane_force_N_m") == 0;
-  });
-  return probes;
+  draw(column_chart({paths(arguments.directories), arguments.columns, arguments.against, paths(arguments.references)}),
+       picture_of(arguments, "columns"));
+  return 0;
 }
 
 }  // namespace
 
 void add_plot_options(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("directory", arguments.directory, "run directory, with a history.csv in it")->required();
+  command.add_option("directory", arguments.directories, "run directories, or one of a sweep")->required();
+  auto* columns = command
+                      .add_option("--columns", arguments.columns,
+                                  "columns of history.csv, separated by commas; of all runs in one picture")
+                      ->delimiter(',');
+  command.add_option("--against", arguments.against, "with --columns: the column along x (default: time_s)")
+      ->needs(columns);
+  command
+      .add_option("--reference", arguments.references,
+                  "with --columns: a table (CSV) whose columns of the same unit are drawn beside, dashed")
+      ->needs(columns);
+  auto* over = command
+                   .add_option("--over", arguments.over,
+                               "of a sweep: the key along x, and after a comma one with a curve for each value")
+                   ->delimiter(',')
+                   ->expected(1, 2)
+                   ->excludes(columns);
+  auto* result = command.add_option("--result", arguments.result, "of a sweep: the result along y")->needs(over);
+  over->needs(result);
+  command.add_option("--output", arguments.output, "with --columns or --over: the picture, .svg or .png")
+      ->check(CLI::Validator(
+          [](const std::string& file) {
+            const bool fits = file.ends_with(".svg") || file.ends_with(".png");
+            return fits ? std::string() : "found " + file + "; allowed: a file .svg or .png";
+          },
+          "", "picture"));
   command.add_option("--format", arguments.format, "svg or png (default: svg)")->check(CLI::IsMember({"svg", "png"}));
 }
 
 int run_plot(const PlotArguments& arguments) {
-  const std::filesystem::path directory = arguments.directory, history = directory / "history.csv";
-  const auto refuse = [&](const std::string& found) {
-    throw SceneError(history.string(), {{{}, "", found, "the history of a run", ProblemSource::elsewhere}});
-  };
-  if (const std::string fault = open_input(history).fault; !fault.empty()) refuse(fault);
-  const CsvTable table = read_csv(history);
-  if (table.rows() == 0) refuse("no row of numbers");
-  const Chart chart = history_chart(table, directory.string());
-  const std::vector<std::string> rigids = most_turned(table);
-  const std::vector<std::string> probes = rigids.empty() ? std::vector<std::string>{} : section_probes(table);
-  if (chart.panels.empty() && probes.empty()) refuse("no column that is drawn");
-  for (const std::string& probe : probes)  // a part of the name of a file
-    if (!is_identifier(probe)) refuse("a probe named \"" + probe + '"');
-  const auto draw = [&](const Chart& one, const std::string& stem) {
-    const std::filesystem::path picture = directory / (stem + "." + arguments.format);
-    write_chart(one, picture);
-    std::cout << picture.string() << '\n';
-  };
-  if (!chart.panels.empty()) draw(chart, "history");
-  for (const std::string& probe : probes)
-    draw(section_chart(table, probe, barge_of(table, probe, rigids)), "section_" + probe);
-  for (const std::string& stem : geotube_stems(directory)) draw(geotube_chart(directory, stem), stem);
+  if (!arguments.over.empty()) return plot_sweep(arguments);
+  if (!arguments.columns.empty()) return plot_columns(arguments);
+  for (const fs::path directory : arguments.directories)
+    for (const NamedChart& chart : run_charts(directory))
+      draw(chart.chart, directory / (chart.stem + "." + arguments.format));
   return 0;
 }
 

@@ -1,21 +1,29 @@
-// `geodrop plot`: pictures of a run directory.
+// `geodrop plot`: pictures of runs and of sweeps.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace geodrop {
 
 struct PlotArguments {
-  std::string directory;
-  std::string format = "svg";  ///< or png
+  std::vector<std::string> directories;
+  std::vector<std::string> columns;     ///< of history.csv; empty: the standard pictures
+  std::string against = "time_s";       ///< the column along x
+  std::vector<std::string> references;  ///< tables to compare columns with
+  std::vector<std::string> over;        ///< keys of a sweep
+  std::string result;                   ///< of a sweep
+  std::string output;                   ///< of a picture of columns or of a sweep
+  std::string format = "svg";           ///< or png
 };
 
 void add_plot_options(CLI::App& command, PlotArguments& arguments);
 
-/// Writes history.svg (or .png), geotube_PROBE.svg for each geotube probe, and section_PROBE.svg for each section probe
-/// if a rigid body turns, into the directory. Returns the exit code.
+/// Writes the standard pictures of each run into its directory (history.svg, geotube_PROBE.svg, section_PROBE.svg); or
+/// columns.svg of chosen columns of all runs, or RESULT_over_KEY.svg of a sweep, into the first directory. Returns the
+/// exit code.
 int run_plot(const PlotArguments& arguments);
 
 }  // namespace geodrop

@@ -4,26 +4,17 @@
 #include <geodrop/measure/measure.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <random>
 
-#include "base/text.hpp"
 #include "measure/series.hpp"
 
 namespace geodrop {
 namespace {
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-bool is_whole(const std::string& text) { return text.find_first_not_of("+-0123456789") == std::string::npos; }
 
 /// From 0 to below 1, by the 53 highest bits: the same on every machine, unlike std::uniform_real_distribution.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -41,6 +32,15 @@ std::vector<double> ranks_of(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+bool is_whole(const std::string& text) { return text.find_first_not_of("+-0123456789") == std::string::npos; }
 
 Variation parse_variation(const std::string& text) {
   const std::size_t equals = text.find('='), colon = text.find(':', equals == std::string::npos ? 0 : equals);
@@ -74,9 +74,30 @@ std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& v
 
 std::string value_text(const Variation& variation, double value) {
   if (variation.whole) return std::to_string(static_cast<long long>(value));
-  std::string text = format_number(value, 17);
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  std::string text(digits.data(), end);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
+}
+
+std::vector<std::vector<std::string>> value_texts(const std::vector<Variation>& variations,
+                                                  const std::vector<std::vector<double>>& values) {
+  std::vector<std::vector<std::string>> texts;
+  for (const auto& sample : values) {
+    texts.emplace_back();
+    for (std::size_t v = 0; v < variations.size(); ++v) texts.back().push_back(value_text(variations[v], sample[v]));
+  }
+  return texts;
+}
+
+std::vector<std::vector<std::string>> ends_of(const std::vector<Variation>& variations) {
+  std::vector<std::vector<double>> ends(2);
+  for (const Variation& variation : variations) {
+    ends[0].push_back(variation.low);
+    ends[1].push_back(variation.high);
+  }
+  return value_texts(variations, ends);
 }
 
 Band band_of(std::vector<double> values) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,12 @@ struct Variation {
   bool operator==(const Variation&) const = default;
 };
 
+/// The number that a text is as a whole, if it is one and finite.
+std::optional<double> number_in(const std::string& text);
+
+/// Whether a number is written without point and exponent.
+bool is_whole(const std::string& text);
+
 /// Of "KEY=LOW:HIGH"; throws SceneError if it is anything else or LOW > HIGH.
 Variation parse_variation(const std::string& text);
 
@@ -23,8 +30,15 @@ Variation parse_variation(const std::string& text);
 std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& variations, int samples,
                                                  std::uint64_t seed);
 
-/// The value as --set takes it.
+/// The value as --set takes it, in as few digits as tell it from its neighbours.
 std::string value_text(const Variation& variation, double value);
+
+/// Those of all samples, by key.
+std::vector<std::vector<std::string>> value_texts(const std::vector<Variation>& variations,
+                                                  const std::vector<std::vector<double>>& values);
+
+/// All keys at the low end, then all at the high one: what a scene refuses is found before the first run.
+std::vector<std::vector<std::string>> ends_of(const std::vector<Variation>& variations);
 
 /// Median, and the values that 5 and 95 % lie below, by linear interpolation between the sorted values.
 struct Band {

@@ -34,6 +34,13 @@ std::vector<std::string> names(const std::vector<MaterialSpec>& materials) {
   return list;
 }
 
+/// The lines that a scene begins with to say what it is about; a report shows them.
+std::string leading_comment(const std::string& toml) {
+  std::size_t end = 0;
+  while (end < toml.size() && toml[end] == '#') end = std::min(toml.find('\n', end), toml.size() - 1) + 1;
+  return end > 0 && toml[end - 1] != '\n' ? "" : toml.substr(0, end);
+}
+
 LogMode log_mode(bool resume) { return resume ? LogMode::append : LogMode::begin; }
 
 double end_of_run(const Scene& scene, const RunOptions& options) {
@@ -70,7 +77,7 @@ struct Output<Dim>::Parts {
     progress = Progress(end_of_run(scene, options), state.particles());
     progress.begin(state.t, state.step);
     checkpoints_due.pass(state.t);
-    write_file_atomically(directory / "scene.toml", scene.as_run);
+    write_file_atomically(directory / "scene.toml", leading_comment(text_of_file(scene.file)) + scene.as_run);
     history_file.emplace(directory / "history.csv", history);
     hash_file.emplace(directory / hashes_name, history.rows.empty() ? -1.0 : history.rows.back().front());
     write_summary(state, RunStatistics{RunStatus::running, "", 0, 0, {}, {}}, {});
@@ -246,6 +253,11 @@ std::string Output<Dim>::trouble() const {
 template <int Dim>
 void Output<Dim>::progress(double t, std::uint64_t step) {
   if (parts_->console.is_terminal() && parts_->progress.due()) parts_->console.show(parts_->progress.line(t, step));
+}
+
+template <int Dim>
+void Output<Dim>::warn(const std::string& line) {
+  parts_->warn(line);
 }
 
 template <int Dim>

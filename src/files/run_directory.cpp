@@ -33,7 +33,12 @@ constexpr std::array run_files = {"run.log",
                                   "membranes.pvd",
                                   "rigid.pvd",
                                   "history.svg",
-                                  "history.png"};
+                                  "history.png",
+                                  "columns.svg",
+                                  "columns.png",
+                                  "report.html",
+                                  "report.pdf",
+                                  "animation.gif"};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> frame_kinds = {
     {{"particles", "vtu"}, {"membranes", "vtp"}, {"rigid", "vtp"}}};
@@ -55,7 +60,7 @@ std::optional<std::size_t> frame_number(std::string_view name) {
 bool is_profile(std::string_view name) {
   const bool is_picture = name.ends_with(".svg") || name.ends_with(".png");
   return (name.starts_with("geotube_") && (name.ends_with(".csv") || is_picture)) ||
-         (name.starts_with("section_") && is_picture);
+         ((name.starts_with("section_") || name.starts_with("snapshot_")) && is_picture);
 }
 
 /// Whether a run gives this name to one of its files, whole or not.

@@ -77,7 +77,7 @@ void check_results(const Scene& scene) {
     if (std::find(columns.begin(), columns.end(), column) != columns.end()) return;
     const std::string nearest = nearest_name(column, columns);
     problems.push_back({spec.at, "results." + spec.name + "." + key, '"' + column + '"',
-                        "a column of history.csv; nearest: \"" + nearest + '"'});
+                        "a column of history.csv" + (nearest.empty() ? "" : "; nearest: \"" + nearest + '"')});
   };
   for (const ResultSpec& spec : scene.results) {
     check(spec, "column", spec.column);

@@ -22,19 +22,6 @@ namespace fs = std::filesystem;
 /// Colours that differ in lightness as well, for print and for colour-blind readers (Okabe & Ito).
 constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 
-/// Pictures take a second or two; the largest that tests draw take four.
-constexpr std::chrono::seconds patience_with_gnuplot{30};
-
-/// Names come from scene files, so they may hold anything.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char letter : text) {
-    if (letter == '\'') word += '\'';
-    word += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-  }
-  return word + "'";
-}
-
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
@@ -91,12 +78,13 @@ std::string panel_text(const ChartPanel& panel, std::size_t number) {
     x.add(series.x);
     y.add(series.y);
     plots += (s == 0 ? "plot " : ", \\\n     ") + name + " using 1:2 " + style_text(series.style, s) +
-             (series.label.empty() ? " notitle" : " title " + quoted(series.label));
+             (series.label.empty() ? " notitle" : " title " + gnuplot_text(series.label));
   }
   if (panel.series.empty()) plots = "plot NaN notitle";
   // The line feed keeps the legend off the label.
-  return data + "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) + ".\"\\n\"" +
-         "\nset ylabel " + quoted(panel.y_label) + "\nset size ratio " + (panel.aspect == Aspect::equal ? "-1" : "0") +
+  return data + "set title " + gnuplot_text(panel.title) + "\nset xlabel " + gnuplot_text(panel.x_label) + ".\"\\n\"" +
+         "\nset ylabel " + gnuplot_text(panel.y_label) + "\nset size ratio " +
+         (panel.aspect == Aspect::equal ? "-1" : "0") +
          (panel.axes == Axes::logarithmic ? "\nset logscale xy" : "\nunset logscale") + "\nset xrange " +
          x.range(panel.axes) + "\nset yrange " + y.range(panel.axes) + "\n" + plots + "\n";
 }
@@ -115,35 +103,52 @@ struct PassingFile {
 
 }  // namespace
 
+/// Names come from scene files, so they may hold anything.
+std::string gnuplot_text(const std::string& text) {
+  std::string word = "'";
+  for (const char letter : text) {
+    if (letter == '\'') word += '\'';
+    word += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+  }
+  return word + "'";
+}
+
 std::string gnuplot_script(const Chart& chart, const fs::path& file) {
   constexpr int panel_width = 720, panel_height = 480;  // [px]
   const int panels = static_cast<int>(chart.panels.size()), columns = std::clamp(chart.columns, 1, std::max(panels, 1));
   const int rows = std::max(1, (panels + columns - 1) / columns);
   const std::string size = std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
   const std::string terminal = file.string().ends_with(".png") ? "pngcairo" : "svg";
+  // Five digits along x, where numbers stand side by side.
   std::string text = "set encoding utf8\nset terminal " + terminal + " noenhanced size " + size +
-                     " font 'sans,12' background rgb 'white'\nset output " + quoted(file.string()) +
+                     " font 'sans,12' background rgb 'white'\nset output " + gnuplot_text(file.string()) +
                      "\nset grid linetype 1 linewidth 0.5 linecolor rgb '#d0d0d0'\nset key below samplen "
-                     "2\nset multiplot layout " +
-                     std::to_string(rows) + "," + std::to_string(columns) + " title " + quoted(chart.title) + "\n";
+                     "2\nset format x '% .5g'\nset multiplot layout " +
+                     std::to_string(rows) + "," + std::to_string(columns) + " title " + gnuplot_text(chart.title) +
+                     "\n";
   for (std::size_t p = 0; p < chart.panels.size(); ++p) text += panel_text(chart.panels[p], p);
   return text + "unset multiplot\nunset output\n";
 }
 
-void write_chart(const Chart& chart, const fs::path& relative) {
+void draw_by_gnuplot(const fs::path& relative, const std::function<std::string(const fs::path&)>& script_for,
+                     std::chrono::seconds patience) {
   const fs::path file = fs::absolute(relative);  // no name that gnuplot could take for an option
   const PassingFile script(file.string() + ".gnuplot"), picture(file.string() + ".part" + file.extension().string());
-  write_file_atomically(script.path, gnuplot_script(chart, picture.path));
+  write_file_atomically(script.path, script_for(picture.path));
   // -d: not what the user's ~/.gnuplot says.
-  const Answer answer = ask_program({"gnuplot", "-d", script.path.string()}, patience_with_gnuplot);
+  const Answer answer = ask_program({"gnuplot", "-d", script.path.string()}, patience);
   if (answer.timed_out)
-    throw RunError("gnuplot did not draw " + file.string() + " in " + std::to_string(patience_with_gnuplot.count()) +
+    throw RunError("gnuplot did not draw " + file.string() + " in " + std::to_string(patience.count()) +
                    " s and was ended");
   if (answer.code == exit_not_found)
     throw RunError("cannot draw " + file.string() + ": gnuplot is not installed (Debian: gnuplot-nox)");
   if (answer.code != 0 || !fs::exists(picture.path))
     throw RunError("gnuplot could not draw " + file.string() + ": " + answer.said);
   fs::rename(picture.path, file);
+}
+
+void write_chart(const Chart& chart, const fs::path& file) {
+  draw_by_gnuplot(file, [&](const fs::path& picture) { return gnuplot_script(chart, picture); });
 }
 
 }  // namespace geodrop

@@ -1,7 +1,9 @@
 // A picture with panels of curves, drawn by gnuplot.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,16 @@ struct Chart {
 
 /// What gnuplot is told; `file` ends in .svg or .png.
 std::string gnuplot_script(const Chart& chart, const std::filesystem::path& file);
+
+/// Calls `script` with the name of a file that gnuplot is to draw, runs it, and replaces `picture` when that is
+/// complete. Throws RunError if gnuplot is not there, fails, or takes longer than `patience`, or the disk does not take
+/// the picture.
+void draw_by_gnuplot(const std::filesystem::path& picture,
+                     const std::function<std::string(const std::filesystem::path&)>& script,
+                     std::chrono::seconds patience = std::chrono::seconds(30));
+
+/// Any text in the quotes of gnuplot.
+std::string gnuplot_text(const std::string& text);
 
 /// Replaces the file when the picture is complete. Throws RunError if gnuplot is not there or fails, or the disk does
 /// not take the picture.

@@ -10,10 +10,14 @@
 namespace geodrop {
 namespace {
 
+/// Commas within quotes are of the cell.
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> list{""};
+  bool quoted = false;
   for (const char letter : line) {
-    if (letter == ',')
+    if (letter == '"')
+      quoted = !quoted;
+    else if (letter == ',' && !quoted)
       list.emplace_back();
     else if (letter != '\r')
       list.back() += letter;
@@ -28,6 +32,23 @@ const std::vector<double>& CsvTable::column(const std::string& name) const {
   if (found == names.end())
     throw SceneError(file, {{{1, 1}, "", "no column " + name, "a table with this column", ProblemSource::elsewhere}});
   return columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+TextTable read_text_table(const std::filesystem::path& path, const std::string& what) {
+  std::istringstream file(read_input(path, "", what));
+  std::string line;
+  std::getline(file, line);
+  TextTable table{cells(line), {}, path.string()};
+  for (int number = 2; std::getline(file, line); ++number) {
+    table.rows.push_back(cells(line));
+    if (table.rows.back().size() != table.names.size())
+      throw SceneError(path.string(), {{{number, 1},
+                                        "",
+                                        std::to_string(table.rows.back().size()) + " cells",
+                                        std::to_string(table.names.size()) + ", as the header has",
+                                        ProblemSource::elsewhere}});
+  }
+  return table;
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {

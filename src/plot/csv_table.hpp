@@ -17,6 +17,16 @@ struct CsvTable {
   std::string file = {};  ///< for messages
 };
 
+struct TextTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows;  ///< each as wide as the names
+  std::string file = {};
+};
+
+/// Cells as they are, without the quotes around those that hold commas. Throws SceneError if there is no such file,
+/// with `what` as what is allowed, or a row is not as wide as the header.
+TextTable read_text_table(const std::filesystem::path& file, const std::string& what);
+
 /// Throws SceneError with line and column where a cell is no number, or a row is not as wide as the header.
 CsvTable read_csv(const std::filesystem::path& file);
 

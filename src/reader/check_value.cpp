@@ -72,7 +72,7 @@ std::string other_dimension(const Key& key, const std::string& word) {
   for (const Key& other : find_section(key.section).keys) {
     if (other.name != key.name || other.dimension == key.dimension) continue;
     if (std::find(other.words.begin(), other.words.end(), word) != other.words.end())
-      return "only with " + readable_condition(other) + "; ";
+      return "only with " + readable_condition(other);
   }
   return {};
 }
@@ -95,9 +95,12 @@ ValueCheck check_text(const Key& key, const toml::node& node) {
   bool ok = true;
   if (key.kind == Kind::choice) {
     ok = std::find(key.words.begin(), key.words.end(), word) != key.words.end();
-    if (!ok && key.words.size() > 1)
-      return {false, to_text(node) + " (" + other_dimension(key, word) + "the nearest is \"" +
-                         nearest_name(word, key.words) + "\")"};
+    if (!ok && key.words.size() > 1) {
+      const std::string nearest = nearest_name(word, key.words);
+      std::string more = other_dimension(key, word);
+      if (!nearest.empty()) more += (more.empty() ? "" : "; ") + ("the nearest is \"" + nearest + '"');
+      return {false, to_text(node) + (more.empty() ? "" : " (" + more + ")")};
+    }
   } else if (key.kind == Kind::text) {
     ok = key.allowed.holds(static_cast<double>(word.size()));
   } else {

@@ -2,6 +2,7 @@
 #include "base/nearest_name.hpp"
 #include "former_words.hpp"
 #include "key_table.hpp"
+#include "parse_scene.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -30,13 +31,14 @@ bool is_bare_text(const std::string& value) {
 }
 
 /// A table with the one key `x`.
-toml::table parse_value(const std::string& value) {
+toml::table parse_value(const std::string& value, const std::string& key) {
   try {
     toml::table parsed = toml::parse("x = " + value, std::string_view(kOverrideSource));
     if (parsed.size() == 1) return parsed;
   } catch (const toml::parse_error&) {
     if (is_bare_text(value)) return toml::parse("x = '" + value + "'", std::string_view(kOverrideSource));
   }
+  if (const std::string advice = advice_on_value(value, key); !advice.empty()) throw OverrideError{value, advice};
   throw OverrideError{value, "a TOML value: a number, a word, \"a text\", true, [list], { key = value }"};
 }
 
@@ -88,7 +90,7 @@ toml::node& step_into(toml::node& node, const std::string& word, const std::stri
 void set_value(toml::node& node, const std::string& word, const std::string& value, const std::string& above) {
   if (toml::array* list = node.as_array()) {
     const std::size_t index = find_element(*list, word, above);
-    toml::table parsed = parse_value(value);
+    toml::table parsed = parse_value(value, word);
     std::move(*parsed.get("x")).visit([&](auto&& x) {
       list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(index), std::forward<decltype(x)>(x));
     });
@@ -101,7 +103,7 @@ void set_value(toml::node& node, const std::string& word, const std::string& val
       throw OverrideError{"no such key to remove", name_advice(word, names_in(*table), "keys here")};
     return;
   }
-  toml::table parsed = parse_value(value);
+  toml::table parsed = parse_value(value, word);
   std::move(*parsed.get("x")).visit([&](auto&& x) { table->insert_or_assign(word, std::forward<decltype(x)>(x)); });
 }
 

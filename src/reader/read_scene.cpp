@@ -1,28 +1,18 @@
-#include <geodrop/base/input_file.hpp>
 #include <geodrop/reader/scene_reader.hpp>
 
 #include "complete_scene.hpp"
 #include "former_words.hpp"
 #include "overrides.hpp"
+#include "parse_scene.hpp"
 #include "reader/checks/check_scene.hpp"
 #include "setup/draw_surface.hpp"
 #include "write_scene.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodrop {
 namespace {
-
-toml::table parse(const std::string& path) {
-  const std::string text = read_input(path, "", "a scene in TOML");
-  try {
-    return toml::parse(text, std::string_view(path));
-  } catch (const toml::parse_error& error) {
-    const SceneProblem problem{to_ref(error.source()), "syntax", std::string(error.description()),
-                               "TOML 1.0, each key once"};
-    throw SceneError(path, {problem});
-  }
-}
 
 std::vector<std::string> notes_of(const std::string& path, const Report& report) {
   std::vector<std::string> notes;
@@ -64,7 +54,8 @@ void make_paths_absolute(const std::string& path, toml::table& complete) {
 
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   Report report;
-  toml::table written = parse(path);
+  ParsedScene parsed = parse_scene(path);
+  toml::table& written = parsed.table;
   rename_former_words(written, report);
   apply_overrides(written, overrides, report);
   rename_former_words(written, report);  // in the values of overrides
@@ -73,7 +64,10 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   make_paths_absolute(path, complete);
   draw_surfaces(path, scene, report);
   check_scene(scene, report);
-  if (!report.problems().empty()) throw SceneError(path, report.problems());
+  std::vector<SceneProblem> problems = parsed.slips;
+  for (const SceneProblem& problem : without(report.problems(), parsed.lost)) problems.push_back(problem);
+  std::ranges::stable_sort(problems, {}, [](const SceneProblem& each) { return each.at.line; });
+  if (!problems.empty()) throw SceneError(path, problems);
   scene.file = path;
   scene.notes = notes_of(path, report);
   scene.as_run = write_scene(complete);

@@ -13,8 +13,8 @@ A scene is one TOML file; units are SI, angles in degrees. This page is made fro
 against (`src/reader/sections/`), so it says what the program does.
 
 - Every key is checked: an unknown key, a wrong type, a missing key or a value out of range is an error that names the
-  file, line and column, the full key, what was found and what is allowed. All are reported at once, but for a slip of TOML itself, which hides the rest, and for columns of
-  results that do not exist, which are looked for once the rest is right. `geodrop check` finds them without a run.
+  file, line and column, the full key, what was found and what is allowed. All are reported at once, slips of TOML in single lines included, but for an open bracket, which hides
+  the rest, and for columns of results that do not exist, which are looked for once the rest is right. `geodrop check` finds them without a run.
 - Physics has no silent defaults: a key without a default must be given. Keys with a default are numerical, or mean
   "nothing".
 - `--set KEY=VALUE` overrides any key: `--set grid.spacing=0.125`, `--set materials.water.viscosity=0`,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "check_resumable.hpp"
+#include "doubts/doubts.hpp"
 #include "membrane/tension_gauge.hpp"
 #include "parts.hpp"
 #include "setup/memory_estimate.hpp"
@@ -69,6 +70,7 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   catch_signals();
   Output<Dim> output(scene, options);
   for (const std::string& note : scene_notes(scene)) output.log("note: " + note);
+  for (const std::string& doubt : doubts(scene)) output.warn("warning: " + doubt);
   if (options.resume) {
     check_resumable(scene, std::move(state), output);
     state = output.resume();

@@ -25,7 +25,7 @@ void check_usage(const std::vector<std::string>& arguments, const std::string& s
 }  // namespace
 
 TEST_CASE("Mistakes of usage end with 2 and one message on stderr") {
-  check_usage({}, "A subcommand is required");
+  check_usage({}, "a command is missing: run, check");
   check_usage({"fly"}, "fly");
   check_usage({"run"}, "scene is required");
   check_usage({"run", scene, "--speed"}, "--speed");

@@ -129,6 +129,8 @@ class Output {
   void progress(double t, std::uint64_t step);
   /// A line for run.log and the terminal.
   void log(const std::string& line);
+  /// Likewise, and for summary.json.
+  void warn(const std::string& line);
 
   /// Writes the last frame and row (no row when stopped), which a resumed run takes back, waits for the writer, prints
   /// the tables, writes summary.json. A run that reached the end of its scene keeps its last checkpoint only.

@@ -1,0 +1,168 @@
+#include "new_scene.hpp"
+
+#include <geodrop/base/error.hpp>
+#include <geodrop/base/input_file.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "base/atomic_file.hpp"
+#include "base/nearest_name.hpp"
+#include "bench/machine.hpp"
+
+namespace geodrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* beginning =
+    R"(# How fast does a bag of sand fall through 6 m of water, and what does its geotextile bear?
+#
+# A scene to begin with: change it, then
+#   geodrop check THIS_FILE       mistakes, doubts, how long a run takes
+#   geodrop run THIS_FILE         a directory of results below runs/
+#   geodrop report runs/NAME      a page about it
+# All keys: docs/scene.md. Units are SI: m, s, kg, N, Pa; angles in degrees.
+title = "A bag of sand dropped in water"
+question = "How fast does a bag of sand fall through 6 m of water, and what does its geotextile bear?"
+gravity = [0.0, -9.81]
+
+[grid]
+lower = [-4.0, -1.0]
+upper = [4.0, 7.0]
+spacing = 0.25  # of cells; halve it and compare
+
+[walls]
+left = "slip"
+right = "slip"
+bottom = "no_slip"
+top = "slip"
+
+[solver]
+transfer = "blend"
+blend_rate = 10.0
+
+[time]
+end = 3.0
+
+[output]
+frame_interval = 0.1
+history_interval = 0.01
+
+[materials.water]
+model = "newtonian"
+density = 1000.0
+sound_speed = 60.0  # about ten times the fastest motion; water has 1460 m/s
+viscosity = 8.9e-4
+
+[materials.sand]
+model = "mohr_coulomb"
+density = 1900.0
+youngs_modulus = 5.0e6
+poissons_ratio = 0.3
+cohesion = 0.0
+friction_angle_deg = 32.0
+dilatancy_angle_deg = 0.0
+tension_cutoff = 0.0
+drainage = "undrained"
+porosity = 0.4
+fluid_bulk_modulus = 40.0e6
+void_memory = true
+
+[[bodies]]
+name = "water"
+material = "water"
+shape = { type = "box", lower = [-4.0, 0.0], upper = [4.0, 6.0] }
+minus = ["bag"]
+shift = true
+shift_speed = 2.0
+initial_stress = { type = "hydrostatic", fluid = "water", surface = 6.0 }
+
+[[bodies]]
+name = "bed"
+material = "sand"
+shape = { type = "box", lower = [-4.0, -1.0], upper = [4.0, 0.0] }
+initial_stress = { type = "k0", surface = 0.0, k0 = 0.5, under = "fluid", fluid = "water", fluid_surface = 6.0 }
+
+[[bodies]]
+name = "bag"
+material = "sand"
+shape = { type = "ellipse", centre = [0.0, 4.5], semi_axes = [1.0, 0.5] }
+layers = 6
+initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effective_pressure = 2000.0 }
+
+[[membranes]]
+name = "geotextile"
+body = "bag"
+axial_stiffness = 1.0e6
+mass_per_area = 0.5
+strength = 100.0e3
+slack = 0.0
+interface = "sharp"
+shear = "none"
+bed = "bed"
+bed_friction = 0.5
+
+[[results]]
+name = "time_to_land_s"
+column = "bag.lowest_m"
+reduce = "first_time_below"
+level = 0.0
+
+[[results]]
+name = "fall_velocity_max_m_s"
+column = "bag.velocity_y_m_s"
+reduce = "min"
+scale = -1.0
+
+[[results]]
+name = "tension_max_N_m"
+column = "geotextile.tension_gauge_N_m"
+reduce = "max"
+
+[[results]]
+name = "height_end_m"
+column = "bag.height_m"
+reduce = "last"
+)";
+
+[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
+  throw SceneError("geodrop new", {{{}, option, found, allowed, ProblemSource::elsewhere}});
+}
+
+/// A file, or a case by its name.
+std::string text_of_case(const std::string& from) {
+  if (fs::is_regular_file(from)) return read_input(from, "--from", "a scene");
+  const fs::path cases = find_in_tree("cases");
+  std::vector<std::string> names;
+  if (!cases.empty())
+    for (const auto& entry : fs::recursive_directory_iterator(cases)) {
+      if (entry.path().extension() != ".toml") continue;
+      if (entry.path().stem() == from) return read_input(entry.path(), "--from", "a scene");
+      names.push_back(entry.path().stem());
+    }
+  std::ranges::sort(names);
+  const std::string nearest = nearest_name(from, names);
+  refuse("--from", '"' + from + '"',
+         "a scene file, or the name of a case" + (nearest.empty() ? "" : "; the nearest is \"" + nearest + '"'));
+}
+
+}  // namespace
+
+void add_new_scene_options(CLI::App& command, NewSceneArguments& arguments) {
+  command.add_option("name", arguments.name, "of the scene; the file is NAME.toml")->required();
+  command.add_option("--from", arguments.from, "a case (cases/*.toml) by its name, or a file, to begin with");
+}
+
+int run_new_scene(const NewSceneArguments& arguments) {
+  fs::path file = arguments.name;
+  if (file.extension() != ".toml") file += ".toml";
+  if (fs::exists(file)) refuse("name", file.string() + ", which is there already", "a new name");
+  write_file_atomically(file, arguments.from.empty() ? beginning : text_of_case(arguments.from));
+  std::cout << file.string() << "\nnext: geodrop check " << file.string() << '\n';
+  return 0;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,102 @@
+#include "snapshot.hpp"
+
+#include <geodrop/base/error.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+
+#include "files/read_frames.hpp"
+#include "only_if.hpp"
+
+namespace geodrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_picture_options(CLI::App& command, SnapshotArguments& arguments) {
+  command.add_option("directory", arguments.directory, "run directory")->required();
+  command.add_option("--field", arguments.picture.field,
+                     "what particles are coloured by: layers (default), material, velocity, velocity_y, displacement, "
+                     "stress_yy, mean_pressure, pore_pressure, density, ...");
+  command.add_option("--membrane", arguments.picture.membrane,
+                     "what membranes are coloured by: tension (default), utilisation, strain, ..., none");
+  command.add_option("--window", arguments.window, "X0,X1,Y0,Y1, the part that is shown [m] (default: all)")
+      ->delimiter(',')
+      ->expected(4);
+  command.add_option("--range", arguments.range, "LOW,HIGH of the field, SI units (default: of the frame)")
+      ->delimiter(',')
+      ->expected(2);
+  command.add_option("--membrane-range", arguments.tensions, "LOW,HIGH of the membranes' field, SI units")
+      ->delimiter(',')
+      ->expected(2);
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
+  throw SceneError("geodrop snapshot", {{{}, option, found, allowed, ProblemSource::elsewhere}});
+}
+
+std::optional<ValueRange> range_of(const std::vector<double>& ends, const char* option) {
+  if (ends.empty()) return std::nullopt;
+  if (!(ends[0] < ends[1])) refuse(option, "two numbers that are not in order", "LOW,HIGH");
+  return ValueRange{ends[0], ends[1]};
+}
+
+PictureOptions picture_of(const SnapshotArguments& arguments) {
+  PictureOptions picture = arguments.picture;
+  if (picture.field == "pressure") picture.field = "mean_pressure";
+  picture.range = range_of(arguments.range, "--range");
+  picture.tensions = range_of(arguments.tensions, "--membrane-range");
+  if (const std::vector<double>& w = arguments.window; !w.empty()) {
+    if (!(w[0] < w[1] && w[2] < w[3])) refuse("--window", "numbers that are not in order", "X0,X1,Y0,Y1");
+    picture.window = Window{{w[0], w[2]}, {w[1], w[3]}};
+  }
+  return picture;
+}
+
+}  // namespace
+
+void add_snapshot_options(CLI::App& command, SnapshotArguments& arguments) {
+  add_picture_options(command, arguments);
+  command.add_option("--time", arguments.time, "of the frame, the nearest one is drawn [s] (default: the last)")
+      ->check(only_if<double>([](double t) { return t >= 0; }, "a time >= 0 [s]"));
+  command.add_option("--output", arguments.output, "PNG (default: snapshot_FIELD_TIME.png in the directory)")
+      ->check(only_if<std::string>([](const std::string& file) { return file.ends_with(".png"); }, "a file .png"));
+}
+
+void add_animate_options(CLI::App& command, SnapshotArguments& arguments) {
+  add_picture_options(command, arguments);
+  command.add_option("--output", arguments.output, "GIF (default: animation.gif in the directory)")
+      ->check(only_if<std::string>([](const std::string& file) { return file.ends_with(".gif"); }, "a file .gif"));
+}
+
+int run_snapshot(SnapshotArguments arguments) {
+  const fs::path directory = arguments.directory;
+  const std::vector<double> times = frame_times(directory);
+  const Scene scene = read_scene(directory / "scene.toml");
+  const Snapshot snapshot =
+      read_frame(directory, arguments.time < 0 ? times.size() - 1 : frame_near(times, arguments.time));
+  const PictureOptions picture = picture_of(arguments);
+  std::array<char, 32> time;
+  std::snprintf(time.data(), time.size(), "_%.2f_s.png", snapshot.t);
+  const fs::path file =
+      arguments.output.empty() ? directory / ("snapshot_" + picture.field + time.data()) : fs::path(arguments.output);
+  draw_snapshot(scene, snapshot, picture, file);
+  std::cout << file.string() << '\n';
+  return 0;
+}
+
+int run_animate(SnapshotArguments arguments) {
+  const fs::path directory = arguments.directory;
+  std::vector<std::size_t> frames(frame_times(directory).size());
+  std::iota(frames.begin(), frames.end(), std::size_t{0});
+  const Scene scene = read_scene(directory / "scene.toml");
+  const fs::path file = arguments.output.empty() ? directory / "animation.gif" : fs::path(arguments.output);
+  draw_animation(scene, directory, frames, picture_of(arguments), file);
+  std::cout << file.string() << '\n';
+  return 0;
+}
+
+}  // namespace geodrop

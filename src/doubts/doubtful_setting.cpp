@@ -1,0 +1,200 @@
+#include "doubtful_setting.hpp"
+
+#include <geodrop/geometry/shapes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text.hpp"
+#include "setup/memory_estimate.hpp"
+
+namespace geodrop {
+namespace {
+
+constexpr int digits = 3;
+
+std::string number(double value) { return format_number(value, digits); }
+
+const NewtonianSpec* fluid_of(const Scene& scene, const BodySpec& body) {
+  return std::get_if<NewtonianSpec>(&find_material(scene, body.material)->model);
+}
+
+bool is_enclosed(const Scene& scene, const BodySpec& body) {
+  return std::ranges::any_of(scene.membranes,
+                             [&](const MembraneSpec& each) { return each.body == body.name && each.closed; });
+}
+
+double strength_of_gravity(const Scene& scene) { return -scene.gravity.back(); }
+
+double top_of(const Scene& scene, const BodySpec& body) {
+  return bounds_within(body.shape, {scene.grid.lower, scene.grid.upper}).upper.back();
+}
+
+/// Height of the open fluid of a material; -infinity if there is none.
+double top_of_fluid(const Scene& scene, const std::string& material) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const BodySpec& body : scene.bodies)
+    if (body.material == material && !is_enclosed(scene, body)) top = std::max(top, top_of(scene, body));
+  return top;
+}
+
+/// The still fluid that a body starts from, if it tells of one.
+const HydrostaticSpec* still_fluid(const BodySpec& body) {
+  if (const auto* still = std::get_if<HydrostaticSpec>(&body.initial_stress)) return still;
+  if (const auto* around = std::get_if<FluidPressureSpec>(&body.initial_stress)) return &around->fluid;
+  const auto* soil = std::get_if<K0StressSpec>(&body.initial_stress);
+  return soil && soil->fluid ? &*soil->fluid : nullptr;
+}
+
+std::string surface_doubt(const Scene& scene, const BodySpec& body) {
+  const HydrostaticSpec* still = still_fluid(body);
+  const double top = still ? top_of_fluid(scene, still->fluid) : 0;
+  if (!still || !std::isfinite(top) || std::abs(still->surface - top) <= scene.grid.spacing) return {};
+  return "bodies." + body.name + ".initial_stress: the surface of \"" + still->fluid + "\" at " +
+         number(still->surface) + " m is not where that fluid ends, " + number(top) +
+         " m: it would start with waves of " + number(std::abs(still->surface - top)) + " m of water";
+}
+
+/// Of long waves, over the speed of sound.
+std::string wave_speed_doubt(const Scene& scene, const BodySpec& body) {
+  const NewtonianSpec* fluid = fluid_of(scene, body);
+  const double g = strength_of_gravity(scene);
+  if (!fluid || g <= 0 || is_enclosed(scene, body)) return {};
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  const double speed = std::sqrt(g * (box.upper.back() - box.lower.back()));
+  const double sound = std::sqrt(fluid->bulk_modulus / fluid->density);
+  constexpr double most = 0.3;
+  if (speed <= most * sound) return {};
+  return "materials." + body.material + ": sound travels at " + number(sound) + " m/s, long waves of \"" + body.name +
+         "\" at sqrt(g H) = " + number(speed) + " m/s: a Mach number of " + number(speed / sound) +
+         ", a fluid is weakly compressible up to 0.3 only; take a sound_speed of " + number(10 * speed) + " m/s";
+}
+
+bool is_rigid(const Scene& scene, const Point& x) {
+  return std::ranges::any_of(scene.rigid, [&](const RigidSpec& rigid) {
+    if (const auto* half = std::get_if<HalfPlaneShape>(&rigid.shape)) return contains(*half, x);
+    const auto& capsule = std::get<CapsuleShape>(rigid.shape);
+    double along = 0, length2 = 0;
+    for (std::size_t a = 0; a < x.size(); ++a) {
+      along += (x[a] - capsule.from[a]) * (capsule.to[a] - capsule.from[a]);
+      length2 += std::pow(capsule.to[a] - capsule.from[a], 2);
+    }
+    const double share = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+    double distance2 = 0;
+    for (std::size_t a = 0; a < x.size(); ++a)
+      distance2 += std::pow(x[a] - capsule.from[a] - share * (capsule.to[a] - capsule.from[a]), 2);
+    return distance2 <= capsule.radius * capsule.radius;
+  });
+}
+
+/// The body that holds a point; null if none does.
+const BodySpec* body_at(const Scene& scene, const Point& x) {
+  for (const BodySpec& body : scene.bodies) {
+    const bool cut = std::ranges::any_of(body.minus, [&](const std::string& name) {
+      const BodySpec* other = find_body(scene, name);
+      return other && contains(other->shape, x);
+    });
+    if (!cut && contains(body.shape, x)) return &body;
+  }
+  return nullptr;
+}
+
+bool is_placed_later(const Scene& scene, const BodySpec& body) {
+  return std::ranges::any_of(scene.stages, [&](const StageSpec& stage) {
+    return std::ranges::find(stage.places, body.name) != stage.places.end();
+  });
+}
+
+bool moves_at_start(const BodySpec& body) {
+  const auto* uniform = std::get_if<UniformVelocitySpec>(&body.initial_velocity);
+  return !uniform || std::ranges::any_of(uniform->value, [](double v) { return v != 0; });
+}
+
+/// Down a column from the top: where an open fluid at rest ends above nothing; the gap ends at what is below, or the
+/// bottom of the domain.
+std::string gap_in_column(const Scene& scene, double x) {
+  const double step = 0.5 * scene.grid.spacing, bottom = scene.grid.lower.back();
+  const BodySpec* above = nullptr;
+  double from = 0;
+  for (double y = scene.grid.upper.back() - 0.25 * step; y > bottom - step; y -= step) {
+    const BodySpec* here = y > bottom ? body_at(scene, {x, y}) : nullptr;
+    const bool held = y <= bottom || here || is_rigid(scene, {x, y});
+    if (here) {
+      if (above && from - y > 1.5 * step)
+        return "\"" + above->name + "\" begins " + number(from - y) + " m above \"" + here->name +
+               "\" (at x = " + number(x) + " m): it will fall";
+      const bool open = fluid_of(scene, *here) && !is_enclosed(scene, *here) && !moves_at_start(*here) &&
+                        !is_placed_later(scene, *here) && here->saturated_by.empty();
+      above = open ? here : nullptr;
+      from = y;
+    } else if (held) {
+      if (above && from - y > 1.5 * step)
+        return "\"" + above->name + "\" begins " + number(from - y) + " m above the " +
+               (y <= bottom ? "bottom of the domain" : "rigid surface below") + " (at x = " + number(x) +
+               " m): it will fall";
+      above = nullptr;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> doubtful_water(const Scene& scene) {
+  std::vector<std::string> found;
+  for (const BodySpec& body : scene.bodies) {
+    found.push_back(surface_doubt(scene, body));
+    found.push_back(wave_speed_doubt(scene, body));
+  }
+  std::erase(found, "");
+  return found;
+}
+
+std::vector<std::string> doubtful_gaps(const Scene& scene) {
+  if (scene.dimension != 2 || strength_of_gravity(scene) <= 0) return {};
+  constexpr int columns = 40;
+  const double left = scene.grid.lower[0], width = scene.grid.upper[0] - left;
+  for (int i = 0; i < columns; ++i)
+    if (std::string gap = gap_in_column(scene, left + (i + 0.5) / columns * width); !gap.empty()) return {gap};
+  return {};
+}
+
+std::vector<std::string> doubtful_numerics(const Scene& scene) {
+  std::vector<std::string> found;
+  constexpr double most_rate = 1e4, usual_2d = 0.5, usual_3d = 0.45;
+  if (scene.solver.blend_rate > most_rate)
+    found.push_back("solver.blend_rate = " + number(scene.solver.blend_rate) +
+                    " 1/s is out of all scale: 0.1 to 100 damp what the grid cannot carry, more damps the motion");
+  const double usual = scene.dimension == 2 ? usual_2d : usual_3d;
+  if (scene.solver.courant > usual)
+    found.push_back("solver.courant = " + number(scene.solver.courant) + " is above " + number(usual) +
+                    ", up to which splashing water was tried");
+  return found;
+}
+
+double output_bytes(const Scene& scene) {
+  constexpr double bytes_per_particle = 130;  // of an uncompressed frame, base64: 4.5 MB of 34,920 particles
+  constexpr double compressed = 0.5;
+  const double frames = scene.time.end / scene.output.frame_interval + 1;
+  return frames * estimate_memory(scene).particles * bytes_per_particle * (scene.output.compress ? compressed : 1);
+}
+
+std::vector<std::string> doubtful_output(const Scene& scene) {
+  std::vector<std::string> found;
+  constexpr double most_bytes = 20e9, giga = 1e9, most_rows = 1e6;
+  const double bytes = output_bytes(scene);
+  const double frames = scene.time.end / scene.output.frame_interval;
+  if (bytes > most_bytes)
+    found.push_back("output.frame_interval = " + number(scene.output.frame_interval) + " s: up to " + number(frames) +
+                    " frames of about " + number(bytes / giga) +
+                    " GB (not more than one a step); take a longer interval, or output.compress = true");
+  if (scene.output.frame_interval > scene.time.end)
+    found.push_back("output.frame_interval is longer than the run: frames of its start and its end only");
+  if (scene.time.end / scene.output.history_interval > most_rows)
+    found.push_back("output.history_interval = " + number(scene.output.history_interval) + " s: up to " +
+                    number(scene.time.end / scene.output.history_interval) + " rows of history.csv");
+  return found;
+}
+
+}  // namespace geodrop

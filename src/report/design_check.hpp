@@ -1,0 +1,40 @@
+// What the geotextile of a run bears beside what it may bear, and where its body comes to rest.
+#pragma once
+
+#include <geodrop/scene/scene.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calculators/tension_safety.hpp"
+#include "plot/csv_table.hpp"
+
+namespace geodrop {
+
+/// The largest tension of a membrane in a run (the mean over its gauge and 10 ms).
+struct PeakTension {
+  std::string membrane;
+  double tension = 0;             ///< [N/m]
+  double time = 0;                ///< [s]
+  std::array<double, 2> place{};  ///< middle of the gauge [m]
+  double strength = 0;            ///< of the geotextile, short-term [N/m]; 0: the scene gives none
+};
+
+/// From the columns NAME.tension_gauge_*; none of membranes whose history lacks them.
+std::vector<PeakTension> peak_tensions(const Scene& scene, const CsvTable& history);
+
+/// Allowable tension of fabric and seams over the peak; empty without a strength. `factors`: its strength is not used.
+std::optional<double> safety(const PeakTension& peak, TensionStrength factors);
+
+/// Rest of a body that a closed membrane encloses, from the last row.
+struct RestingPlace {
+  std::string body;
+  double time = 0;                                         ///< of the row [s]
+  double x = 0, y = 0, speed = 0;                          ///< of the centre [m], [m/s]
+  double tilt_deg = 0, height = 0, width = 0, lowest = 0;  ///< [degree], [m]
+};
+std::vector<RestingPlace> resting_places(const Scene& scene, const CsvTable& history);
+
+}  // namespace geodrop

@@ -1,0 +1,321 @@
+#include "report.hpp"
+
+#include <geodrop/base/error.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "base/atomic_file.hpp"
+#include "base/text.hpp"
+#include "base/units.hpp"
+#include "design_check.hpp"
+#include "figures.hpp"
+#include "files/read_frames.hpp"
+#include "files/run_record.hpp"
+#include "html.hpp"
+#include "plot/ask_program.hpp"
+#include "plot/run_charts.hpp"
+#include "scene_values.hpp"
+#include "snapshot_picture.hpp"
+
+namespace geodrop {
+namespace {
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::vector<std::string>>;
+using html::table;
+using html::text;
+
+/// All that the sections are written from.
+struct Source {
+  const ReportOptions& options;
+  RunRecord record;
+  Scene scene;
+  CsvTable history;
+};
+
+std::string section(const std::string& heading, const std::string& content) {
+  return content.empty() ? "" : "<h2>" + heading + "</h2>\n" + content;
+}
+
+/// "fall_velocity_max_m_s" as "fall velocity max".
+std::string in_words(std::string name) {
+  if (!name.ends_with("_r_squared")) name.resize(name.size() - unit_ending(name).size());
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+std::string yes_or_no(bool yes) { return yes ? "<span class=\"yes\">yes</span>" : "<span class=\"no\">no</span>"; }
+
+/// The comment that a scene begins with, without its marks.
+std::string leading_comment(const std::string& toml) {
+  std::string comment;
+  for (std::size_t at = 0; at < toml.size() && toml[at] == '#';) {
+    const std::size_t end = std::min(toml.find('\n', at), toml.size());
+    std::string line = toml.substr(at + 1, end - at - 1);
+    if (line.starts_with(' ')) line.erase(0, 1);
+    comment += line + "\n";
+    at = end + 1;
+  }
+  return comment;
+}
+
+std::string head(const Source& source) {
+  const RunRecord& record = source.record;
+  std::string page = "<h1>" + text(record.title) + "</h1>\n";
+  if (!source.scene.question.empty()) page += "<p class=\"question\">" + text(source.scene.question) + "</p>\n";
+  page += "<p>Run of " + text(record.scene) + " by geodrop " + text(record.version) + ", " +
+          text(record.run.ended.empty() ? record.run.started : record.run.ended) + ": <b>" + text(record.status) +
+          "</b> at t = " + figure(record.run.t, "s") + ".</p>\n";
+  if (!record.message.empty()) page += "<p class=\"warning\">" + text(record.message) + "</p>\n";
+  return page;
+}
+
+std::string warnings(const Source& source) {
+  std::string page;
+  for (const std::string& warning : source.record.warnings) page += "<p class=\"warning\">" + text(warning) + "</p>\n";
+  return page;
+}
+
+std::string key_figures(const Source& source) {
+  Lines lines{{"result", "value"}};
+  for (const Result& result : source.record.results)
+    lines.push_back({text(in_words(result.name)), figure(result.value, result.unit)});
+  return lines.size() > 1 ? table(lines, {1}) : "";
+}
+
+std::string expectations(const Source& source) {
+  Lines lines{{"result", "value", "expected", "tolerance", "met", "source"}};
+  for (const Expectation& each : source.record.expectations) {
+    const std::string& unit = each.result.unit;
+    lines.push_back({text(in_words(each.result.name)), figure(each.result.value, unit), figure(each.expected, unit),
+                     "&plusmn; " + figure(each.tolerance, unit), yes_or_no(each.met), text(each.source)});
+  }
+  return lines.size() > 1 ? table(lines, {1, 2, 3}) : "";
+}
+
+/// "seam efficiency 0.7, installation 1.3"; empty if nothing reduces.
+std::string factors_in_words(const TensionStrength& factors) {
+  std::string words;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value) words += (words.empty() ? "" : ", ") + std::string(name) + " " + format_number(*value, 3);
+  };
+  add("seam efficiency", factors.seam_efficiency);
+  add("installation", factors.installation);
+  add("creep", factors.creep);
+  add("durability", factors.durability);
+  add("seams", factors.seam);
+  return words;
+}
+
+std::string design_check(const Source& source) {
+  std::string page;
+  Lines lines{{"membrane", "largest tension", "at", "place", "strength", "allowable", "safety"}};
+  for (const PeakTension& peak : peak_tensions(source.scene, source.history)) {
+    TensionStrength factors = source.options.factors;
+    factors.strength = peak.strength;
+    const std::optional<double> factor = safety(peak, factors);
+    const std::string place = "x = " + figure(peak.place[0], "m") + ", y = " + figure(peak.place[1], "m");
+    lines.push_back(
+        {text(peak.membrane), figure(peak.tension, "N/m"), figure(peak.time, "s"), place,
+         factor ? figure(peak.strength, "N/m") : "not given", factor ? figure(allowable_tension(factors), "N/m") : "-",
+         factor ? "<span class=\"" + std::string(*factor >= 1 ? "yes" : "no") + "\">" + figure(*factor, "1") + "</span>"
+                : "-"});
+  }
+  if (lines.size() > 1) {
+    const std::string words = factors_in_words(source.options.factors);
+    page += table(lines, {1, 2, 4, 5, 6}) +
+            "<p>Largest tension: mean over the gauge length and 10 ms, in the whole run. Allowable: strength of the "
+            "geotextile" +
+            (words.empty() ? ", not reduced (seams, installation, creep, durability: options of <code>geodrop "
+                             "report</code>)"
+                           : " reduced by " + text(words)) +
+            ". Safety: allowable over largest.</p>\n";
+  }
+  Lines rest{{"body", "centre x", "centre y", "lowest point y", "height", "width", "tilt", "speed"}};
+  double time = 0;
+  for (const RestingPlace& place : resting_places(source.scene, source.history)) {
+    time = place.time;
+    rest.push_back({text(place.body), figure(place.x, "m"), figure(place.y, "m"), figure(place.lowest, "m"),
+                    figure(place.height, "m"), figure(place.width, "m"), figure(place.tilt_deg, "degree"),
+                    figure(place.speed, "m/s")});
+  }
+  if (rest.size() > 1)
+    page += "<p>Place and shape at t = " + figure(time, "s") + ":</p>\n" + table(rest, {1, 2, 3, 4, 5, 6, 7});
+  return page;
+}
+
+/// Pictures are drawn beside the report and go into it.
+template <class Draw>
+std::string embed(const Source& source, const std::string& ending, const Draw& draw,
+                  const std::function<std::string(const fs::path&)>& place) {
+  const fs::path file = source.options.output.string() + ending;
+  draw(file);
+  std::string html = place(file);
+  fs::remove(file);
+  return html;
+}
+
+std::string histories(const Source& source) {
+  std::string page;
+  for (const NamedChart& chart : run_charts(source.options.directory)) {
+    Chart titled = chart.chart;
+    titled.title = source.record.title;
+    page += embed(
+        source, ".svg", [&](const fs::path& file) { write_chart(titled, file); },
+        [&](const fs::path& file) { return html::drawing(file, chart.stem); });
+  }
+  return page;
+}
+
+/// A frame to be drawn, and why.
+struct Instant {
+  double time = 0;
+  std::string why;
+};
+
+/// Start, times that results tell, largest tensions, end; of those of one frame only the first.
+std::vector<Instant> key_instants(const Source& source) {
+  constexpr std::size_t most = 6;
+  std::vector<Instant> instants{{0, "start"}};
+  const double end = source.record.run.t;
+  for (const Result& result : source.record.results)
+    if (result.unit == "s" && result.value > 0 && result.value < end)
+      instants.push_back({result.value, in_words(result.name)});
+  for (const PeakTension& peak : peak_tensions(source.scene, source.history))
+    instants.push_back({peak.time, "largest tension in " + peak.membrane});
+  if (instants.size() >= most) instants.resize(most - 1);
+  instants.push_back({end, "end"});
+  std::ranges::stable_sort(instants, {}, &Instant::time);
+  return instants;
+}
+
+/// Around the membranes of a frame, if they are small in the whole picture.
+std::optional<Window> membrane_window(const Snapshot& snapshot, const Scene& scene) {
+  if (snapshot.membranes.points.empty()) return std::nullopt;
+  Window window{{1e300, 1e300}, {-1e300, -1e300}};
+  for (std::size_t i = 0; i < snapshot.membranes.points.size(); i += 3)
+    for (std::size_t a = 0; a < 2; ++a) {
+      window.lower[a] = std::min(window.lower[a], snapshot.membranes.points[i + a]);
+      window.upper[a] = std::max(window.upper[a], snapshot.membranes.points[i + a]);
+    }
+  constexpr double around = 0.35, small = 0.4;
+  const double margin = around * std::max(window.width(), window.height());
+  for (std::size_t a = 0; a < 2; ++a) {
+    window.lower[a] -= margin;
+    window.upper[a] += margin;
+  }
+  const bool is_small = window.width() < small * (scene.grid.upper[0] - scene.grid.lower[0]);
+  return is_small ? std::optional(window) : std::nullopt;
+}
+
+std::string pictures(const Source& source) {
+  if (source.scene.dimension != 2 || !fs::exists(source.options.directory / "particles.pvd")) return "";
+  const std::vector<double> times = frame_times(source.options.directory);
+  std::string page;
+  const auto draw = [&](const Snapshot& snapshot, const PictureOptions& options, const std::string& caption) {
+    page += embed(
+        source, ".png", [&](const fs::path& file) { draw_snapshot(source.scene, snapshot, options, file); },
+        [&](const fs::path& file) { return html::picture(file, caption); });
+  };
+  std::set<std::size_t> drawn;
+  for (const Instant& instant : key_instants(source)) {
+    const std::size_t index = frame_near(times, instant.time);
+    if (!drawn.insert(index).second) continue;
+    const Snapshot snapshot = read_frame(source.options.directory, index);
+    const std::string time = "t = " + figure(snapshot.t, "s") + ", " + instant.why;
+    draw(snapshot, {}, time + ": bodies and layers");
+    const std::optional<Window> close = membrane_window(snapshot, source.scene);
+    if (close && instant.time > 0) draw(snapshot, {"velocity", "tension", close, {}, {}}, time + ": velocity");
+    if (instant.why == "end")
+      draw(snapshot, {"mean_pressure", "tension", close, {}, {}}, time + ": mean pressure, compression positive");
+  }
+  return page;
+}
+
+std::string balances(const Source& source) {
+  Lines lines{{"", "start", "end", "change", "least", "most"}};
+  for (const std::string& column : source.history.names) {
+    if (!column.starts_with("energy.") && !column.starts_with("total.")) continue;
+    const std::vector<double>& values = source.history.column(column);
+    const auto [least, most] = std::ranges::minmax(values);
+    const Scaled unit = scaled_unit(unit_of_name(column), std::max(std::abs(least), std::abs(most)));
+    const auto cell = [&](double value) { return figure(value, unit); };
+    lines.push_back({text(in_words(column.substr(column.find('.') + 1)) + " [" + unit.unit + "]"), cell(values.front()),
+                     cell(values.back()), cell(values.back() - values.front()), cell(least), cell(most)});
+  }
+  if (lines.size() == 1) return "";
+  return table(lines, {1, 2, 3, 4, 5}) +
+         (source.scene.dimension == 2 ? "<p>Per metre of depth. Dissipated: friction, plastic flow, viscosity and "
+                                        "what the scheme damps.</p>\n"
+                                      : "");
+}
+
+std::string timing(const Source& source) {
+  constexpr std::size_t most = 8;
+  const RunRecord& record = source.record;
+  std::vector<StageTime> stages = record.stages;
+  std::ranges::sort(stages, std::greater<>(), &StageTime::seconds);
+  double sum = 0;
+  for (const StageTime& stage : stages) sum += stage.seconds;
+  stages.resize(std::min(stages.size(), most));
+  Lines lines{{"part of the step", "wall time [s]", "share"}};
+  for (const StageTime& stage : stages)
+    lines.push_back(
+        {text(stage.name), figure(stage.seconds, Scaled{}), figure(100 * stage.seconds / sum, Scaled{}) + " %"});
+  return "<p>" + std::to_string(record.run.steps) + " steps of " + std::to_string(record.run.particles) +
+         " particles in " + format_duration(record.wall_seconds) + " on " + std::to_string(record.run.threads) +
+         " thread(s) of " + text(record.run.host) + ".</p>\n" + (stages.empty() ? "" : table(lines, {1, 2}));
+}
+
+std::string origin(const Source& source) {
+  return "<p>Command: <code>" + text(source.record.run.command) + "</code><br>State at the end: <code>" +
+         text(source.record.state_hash) + "</code> (docs/reproducibility.md)</p>\n";
+}
+
+std::string remarks(const fs::path& scene) {
+  const std::string comment = leading_comment(text_of_file(scene));
+  return comment.empty() ? "" : "<pre class=\"comment\">" + text(comment) + "</pre>\n";
+}
+
+}  // namespace
+
+void write_report(const ReportOptions& options) {
+  const fs::path scene = options.directory / "scene.toml";
+  const Source source{options, read_run_record(options.directory), read_scene(scene), read_history(options.directory)};
+  const std::string body = head(source) + warnings(source) + section("Key figures", key_figures(source)) +
+                           section("Beside what was expected", expectations(source)) +
+                           section("Design check", design_check(source)) + section("Histories", histories(source)) +
+                           section("Pictures", pictures(source)) + section("Scene", scene_values_html(scene)) +
+                           section("Remarks of the scene", remarks(scene)) +
+                           section("Balance of mass and energy", balances(source)) + section("Time", timing(source)) +
+                           section("Origin", origin(source));
+  write_file_atomically(options.output, html::page(source.record.title, body));
+}
+
+void print_pdf(const fs::path& page, const fs::path& pdf) {
+  constexpr std::chrono::seconds patience{120};
+  const std::string from = fs::absolute(page).string(), to = fs::absolute(pdf).string();
+  std::vector<std::vector<std::string>> programs;
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+    programs.push_back({name, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
+                        "--print-to-pdf=" + to, "file://" + from});
+  programs.push_back({"weasyprint", from, to});
+  for (const auto& words : programs) {
+    const Answer answer = ask_program(words, patience);
+    if (answer.code == exit_not_found) continue;
+    if (answer.timed_out || answer.code != 0 || !fs::exists(pdf))
+      throw RunError(words.front() + " could not print " + to + ": " + answer.said);
+    return;
+  }
+  throw RunError(
+      "no program here prints PDF: install chromium or weasyprint (Debian packages of these names), or print " + from +
+      " from a browser");
+}
+
+}  // namespace geodrop

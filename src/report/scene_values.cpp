@@ -1,0 +1,116 @@
+#include "scene_values.hpp"
+
+#include <geodrop/base/input_file.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/text.hpp"
+#include "figures.hpp"
+#include "html.hpp"
+#include "keys/plain_values.hpp"
+#include "reader/key_table.hpp"
+
+namespace geodrop {
+namespace {
+
+toml::table parse(const std::filesystem::path& scene) {
+  return toml::parse(read_input(scene, "", "the scene of a run"), std::string_view(scene.c_str()));
+}
+
+std::string toml_text(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>)
+      text << value;
+    else
+      text << toml::toml_formatter(value);
+  });
+  return text.str();
+}
+
+std::string name_of(const toml::node& node, std::size_t index) {
+  const toml::table* table = node.as_table();
+  for (const char* key : {"name", "result"})
+    if (const auto name = table ? (*table)[key].value<std::string>() : std::nullopt) return *name;
+  return std::to_string(index);
+}
+
+bool holds_tables(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  return list && !list->empty() && list->front().is_table();
+}
+
+void flatten(const toml::node& node, const std::string& path, std::vector<std::pair<std::string, std::string>>& list) {
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, value] : *table) flatten(value, join_path(path, key.str()), list);
+  } else if (holds_tables(node)) {
+    const toml::array& elements = *node.as_array();
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      flatten(elements[i], join_path(path, name_of(elements[i], i)), list);
+  } else {
+    list.emplace_back(path, toml_text(node));
+  }
+}
+
+/// As it was written, with thousands of N and Pa as kN and kPa.
+std::string value_cell(const toml::node& node, std::string_view unit) {
+  constexpr int digits = 6;
+  if (!node.is_number()) {
+    const std::string text = node.is_string() ? *node.value<std::string>() : toml_text(node);
+    return html::text(text + (unit.empty() || unit == "-" ? "" : " " + std::string(unit)));
+  }
+  const double value = to_number(node);
+  const Scaled scaled = scaled_unit(std::string(unit), value);
+  return format_number(value * scaled.factor, digits) +
+         (scaled.unit.empty() || scaled.unit == "-" ? "" : " " + html::text(scaled.unit));
+}
+
+/// Rows of a table and of the tables below it.
+void add_rows(const toml::table& table, const Section& section, const std::string& before,
+              std::vector<std::vector<std::string>>& lines) {
+  for (const Key& key : section.keys) {
+    const toml::node* node = table.get(key.name);
+    const std::string name = before + std::string(key.name);
+    const bool listed = std::ranges::any_of(lines, [&](const auto& line) { return line[0] == html::text(name); });
+    if (!node || key.name == "name" || listed) continue;
+    if (const toml::table* below = node->as_table(); below && key.below)
+      add_rows(*below, *key.below, name + ".", lines);
+    else if (!holds_tables(*node))
+      lines.push_back({html::text(name), value_cell(*node, key.unit), html::text(std::string(key.meaning))});
+  }
+}
+
+std::string table_of(const toml::table& table, const Section& section, const std::string& heading) {
+  std::vector<std::vector<std::string>> lines{{html::text(heading), "value", "meaning"}};
+  add_rows(table, section, "", lines);
+  return lines.size() > 1 ? html::table(lines, {}) : "";
+}
+
+}  // namespace
+
+std::string scene_values_html(const std::filesystem::path& file) {
+  const toml::table scene = parse(file);
+  std::string html;
+  for (const char* name : {"grid", "walls", "solver", "time"})
+    if (const toml::table* table = scene.get_as<toml::table>(name)) html += table_of(*table, find_section(name), name);
+  if (const toml::table* materials = scene.get_as<toml::table>("materials"))
+    for (const auto& [name, material] : *materials)
+      if (const toml::table* table = material.as_table())
+        html += table_of(*table, find_section("materials"), "material " + std::string(name.str()));
+  for (const char* name : {"bodies", "membranes", "contacts", "rigid"}) {
+    const toml::array* list = scene.get_as<toml::array>(name);
+    for (std::size_t i = 0; list && i < list->size(); ++i)
+      if (const toml::table* table = list->get_as<toml::table>(i))
+        html += table_of(*table, find_section(name), std::string(name) + ": " + name_of(*table, i));
+  }
+  return html;
+}
+
+std::vector<std::pair<std::string, std::string>> flat_scene(const std::filesystem::path& scene) {
+  std::vector<std::pair<std::string, std::string>> list;
+  flatten(parse(scene), "", list);
+  return list;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,108 @@
+// Mistyped commands and options, help, examples, JSON for other programs, new scenes, the schema.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include "support/text.hpp"
+
+using namespace geodrop::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string refused(const std::vector<std::string>& words) {
+  const Outcome outcome = run_program(words);
+  CHECK(outcome.code == 2);
+  return outcome.err;
+}
+
+}  // namespace
+
+TEST_CASE("What was meant by a mistyped command or option is told") {
+  CHECK(contains(refused({"rn"}), "no command \"rn\"; did you mean run?"));
+  CHECK(contains(refused({"snapshoot", "runs/x"}), "did you mean snapshot?"));
+  CHECK(contains(refused({"tset"}), "did you mean test?"));
+  CHECK(contains(refused({"test"}), "./geodrop in the source tree"));
+  const std::string nonsense = refused({"nonsense"});
+  CHECK(contains(nonsense, "geodrop --help"));
+  CHECK_FALSE(contains(nonsense, "did you mean"));
+  CHECK(contains(refused({"run", "a.toml", "--thread", "2"}),
+                 "no option --thread of geodrop run; did you mean --threads?"));
+  CHECK(contains(refused({"run", "a.toml", "-o", "x"}), "did you mean --output?"));
+  CHECK(contains(refused({"run", "a.toml", "--Set", "k=v"}), "did you mean --set?"));
+  CHECK(contains(refused({}), "a command is missing: run, check"));
+}
+
+TEST_CASE("help, and examples in the help of every command") {
+  const Outcome help = run_program({"help"});
+  CHECK(help.code == 0);
+  CHECK(help.out == run_program({"--help"}).out);
+  CHECK(contains(run_program({"help", "sweep"}).out, "--vary"));
+  CHECK(run_program({"help", "nonsense"}).code == 2);
+  for (const char* command :
+       {"run",      "check", "stages", "info",     "bench",   "geotube", "release", "fall", "verify", "replay",
+        "ensemble", "sweep", "plot",   "snapshot", "animate", "report",  "compare", "new",  "schema", "manual"}) {
+    const Outcome outcome = run_program({command, "--help"});
+    CHECK(outcome.code == 0);
+    CHECK_MESSAGE(contains(outcome.out, std::string("Examples:\n  geodrop ") + command), command);
+  }
+}
+
+TEST_CASE("The manual and the completion know every command and option") {
+  const std::string page = run_program({"manual"}).out;
+  CHECK(page.starts_with(".TH GEODROP 1"));
+  CHECK(contains(page, ".SS geodrop sweep"));
+  CHECK(contains(page, "\\-\\-no\\-run"));
+  const geodrop::TemporaryDirectory directory;
+  std::ofstream(directory / "geodrop") << run_program({"manual", "--completion"}).out;
+  const auto completed = [&](const std::string& words, int at) {
+    const std::string command = "bash -c 'source " + (directory / "geodrop").string() + "; COMP_WORDS=(" + words +
+                                "); COMP_CWORD=" + std::to_string(at) + "; _geodrop; echo ${COMPREPLY[*]}' >" +
+                                (directory / "said").string();
+    REQUIRE(std::system(command.c_str()) == 0);
+    return geodrop::read_file(directory / "said");
+  };
+  CHECK(completed("geodrop sn", 1) == "snapshot\n");
+  CHECK(completed("geodrop run a.toml --ov", 3) == "--overwrite\n");
+  CHECK(completed("geodrop sweep --no", 2) == "--no-run\n");
+}
+
+TEST_CASE("check and info as JSON") {
+  using Json = nlohmann::json;
+  const std::string bar = geodrop::source_path("cases/elastic_bar.toml");
+  const Json good = Json::parse(run_program({"check", bar, "--json"}).out);
+  CHECK(good["problems"].empty());
+  const Outcome outcome = run_program({"check", bar, "--json", "--set", "grid.spacng=1"});
+  CHECK(outcome.code == 2);
+  const Json bad = Json::parse(outcome.out);
+  REQUIRE(bad["problems"].size() == 1);
+  CHECK(bad["problems"][0]["key"] == "grid.spacng");
+  const Json info = Json::parse(run_program({"info", bar, "--json"}).out);
+  CHECK(info["particles_count"].get<double>() > 0);
+  CHECK(info["time_step_s"].get<double>() > 0);
+}
+
+TEST_CASE("A new scene passes check without a doubt, and is not written twice") {
+  const geodrop::TemporaryDirectory directory;
+  const std::string file = directory / "my_bag.toml";
+  CHECK(run_program({"new", directory / "my_bag"}).code == 0);
+  const Outcome check = run_program({"check", file});
+  CAPTURE(check.err);
+  CHECK(check.code == 0);
+  CHECK_FALSE(contains(check.out, "warning:"));
+  CHECK(contains(refused({"new", directory / "my_bag"}), "which is there already"));
+  CHECK(run_program({"new", directory / "tube", "--from", "geotube_556"}).code == 0);
+  CHECK(geodrop::read_file(directory / "tube.toml") ==
+        geodrop::read_file(geodrop::source_path("cases/geotube_556.toml")));
+  CHECK(contains(refused({"new", directory / "other", "--from", "geotub_556"}), "the nearest is \"geotube_556\""));
+}
+
+TEST_CASE("The schema knows the keys, their words and units") {
+  const auto schema = nlohmann::json::parse(run_program({"schema"}).out);
+  const auto& keys = schema["properties"];
+  CHECK(contains(keys["grid"]["properties"]["spacing"]["description"], "[m]"));
+  CHECK(keys["solver"]["properties"]["transfer"]["enum"].size() == 3);
+  CHECK(keys["bodies"]["items"]["required"][0] == "name");
+  CHECK(keys["materials"]["additionalProperties"]["properties"].contains("density"));
+}

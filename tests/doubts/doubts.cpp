@@ -1,0 +1,104 @@
+// What is probably not what was meant: each doubt is raised by its value and not by the usual one.
+#include "doubts/doubts.hpp"
+#include "step/effort.hpp"
+#include "support/near.hpp"
+#include "support/program.hpp"
+#include "support/scene_files.hpp"
+#include "support/text.hpp"
+
+#include <doctest/doctest.h>
+#include <geodrop/reader/scene_reader.hpp>
+
+#include <cmath>
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+std::string joined(const std::vector<std::string>& settings, const char* scene) {
+  std::string text;
+  for (const std::string& doubt : doubts(read_scene(source_path(scene), settings))) text += doubt + "\n";
+  return text;
+}
+
+std::string main_case(const std::vector<std::string>& settings) { return joined(settings, "cases/dump_kekerdom.toml"); }
+
+}  // namespace
+
+TEST_CASE("The shipped cases of design raise no doubt") {
+  for (const char* scene : {"cases/dump_kekerdom.toml", "cases/dump_barge_underwater.toml", "cases/geotube_556.toml",
+                            "cases/geotube_submerged.toml", "cases/two_containers.toml", "cases/sloshing.toml"})
+    CHECK_MESSAGE(joined({}, scene) == "", scene);
+}
+
+TEST_CASE("Units: t/m3, kN/m3, kN/m, kPa, MPa, radians are named, with what they would be") {
+  CHECK(contains(main_case({"materials.sand.density=1.631"}), "in t/m3 it would be 1631 kg/m3"));
+  CHECK(contains(main_case({"materials.subsoil.density=20.0", "bodies.bed.initial_stress={ type = 'zero' }"}),
+                 "in kN/m3 it would be 2039 kg/m3"));
+  CHECK(contains(main_case({"membranes.geotextile.axial_stiffness=1000.0"}), "in kN/m it would be 1e+06 N/m"));
+  CHECK(contains(main_case({"membranes.geotextile.strength=120.0"}), "in kN/m it would be 1.2e+05 N/m"));
+  CHECK(contains(main_case({"membranes.geotextile.mass_per_area=630.0"}), "in g/m2 it would be 0.63 kg/m2"));
+  CHECK(contains(main_case({"materials.sand.cohesion=5.0", "materials.sand.tension_cutoff=0.0"}),
+                 "in kPa it would be 5000 Pa"));
+  CHECK(contains(main_case({"materials.sand.friction_angle_deg=0.52", "materials.subsoil.friction_angle_deg=30.0",
+                            "bodies.container.initial_stress.effective_pressure=0.0"}),
+                 "in radians it would be 29.79 degree"));
+  CHECK(contains(main_case({"materials.sand.youngs_modulus=2800.0", "materials.sand.fluid_bulk_modulus=22.5e6"}),
+                 "in MPa it would be 2.8e+09 Pa"));
+  CHECK(contains(main_case({"membranes.geotextile.slack=5.0"}), "500 % of the drawn length"));
+  CHECK(contains(main_case({"materials.water.viscosity=8900.0"}), "water has 1e-3"));
+  CHECK(contains(joined({"gravity=[0.0, -981.0]"}, "cases/gravity_column.toml"), "on earth it is -9.81"));
+  const std::string light = "materials.water.density=1.5";
+  CHECK(contains(joined({light}, "cases/hydrostatic_column.toml"), "t/m3"));
+  CHECK_FALSE(contains(joined({light, "gravity=[0.0, 0.0]", "bodies.0.initial_stress={ type = 'zero' }"},
+                              "cases/hydrostatic_column.toml"),
+                       "t/m3"));
+}
+
+TEST_CASE("Water: its surface, its speed of sound, a gap below it") {
+  const std::string surface = main_case({"bodies.water.initial_stress.surface=10.0"});
+  CHECK(contains(surface, "at 10 m is not where that fluid ends, 13 m"));
+  CHECK(contains(main_case({"bodies.bed.initial_stress.fluid_surface=12.0"}), "bodies.bed.initial_stress"));
+  CHECK(contains(main_case({"materials.water.sound_speed=20.0"}), "a Mach number of 0.565"));  // sqrt(9.81 * 13) / 20
+  const std::string gap = main_case({"bodies.water.shape.lower.1=0.5"});
+  CHECK(contains(gap, "\"water\" begins"));
+  CHECK(contains(gap, "above \"bed\""));
+}
+
+TEST_CASE("Numbers out of scale, and output that fills the disk") {
+  CHECK(contains(main_case({"solver.blend_rate=1e6"}), "solver.blend_rate = 1e+06 1/s is out of all scale"));
+  CHECK(contains(main_case({"solver.courant=0.9"}), "solver.courant = 0.9 is above 0.5"));
+  CHECK(contains(main_case({"output.frame_interval=1e-6"}), "frames of about"));
+  CHECK(contains(main_case({"output.frame_interval=100.0"}), "longer than the run"));
+  CHECK(contains(main_case({"output.history_interval=1e-6"}), "rows of history.csv"));
+}
+
+TEST_CASE("Unit weights and densities of the calculators") {
+  CHECK(contains(doubt_unit_weight("--unit-weight", 12), "in kN/m3 it would be 1.2e+04 N/m3"));
+  CHECK(contains(doubt_unit_weight("--unit-weight", 1.2), "in t/m3 it would be 1.177e+04 N/m3"));
+  CHECK(doubt_unit_weight("--unit-weight", 12e3).empty());
+  CHECK(contains(doubt_density("--density", 1.99), "1990 kg/m3"));
+  CHECK(doubt_density("--density", 1990).empty());
+  const Outcome tube = run_program({"geotube", "--perimeter", "9.2", "--unit-weight", "12", "--area", "5.56"});
+  CHECK(tube.code == 0);
+  CHECK(contains(tube.err, "warning: --unit-weight = 12 N/m3 is unusual"));
+}
+
+TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort, a run keeps its doubts") {
+  const Scene scene = read_scene(source_path("cases/gravity_column.toml"));
+  const Effort effort = estimate_effort(scene, 1);
+  CHECK(effort.particles == 640);
+  CHECK(effort.steps > 1000);
+  CHECK(effort.seconds > 0);
+  CHECK(effort.output_bytes == near(11.01 * 640 * 130, 1e-6));  // a frame each 0.1 s of 1.001 s
+  const std::vector<std::string> words{"check", source_path("cases/gravity_column.toml"),
+                                       "--set", "materials.soil.density=2.0",
+                                       "--set", "materials.soil.youngs_modulus=1e4"};
+  const Outcome check = run_program(words);
+  CHECK(check.code == 0);
+  CHECK(contains(check.out, "a run: 640 particles"));
+  const SceneRun run("cases/dump_kekerdom_mixture.toml",
+                     {"grid.spacing=0.5", "time.end=0.01", "membranes.geotextile.strength=120.0"});
+  CHECK(contains(run.summary(), "membranes.geotextile.strength = 120 N/m is unusual"));
+}

@@ -1,0 +1,126 @@
+// The report of a run, the design check behind it, and runs side by side.
+#include "plot/csv_table.hpp"
+#include "report/design_check.hpp"
+#include "report/html.hpp"
+#include "report/scene_values.hpp"
+#include "support/near.hpp"
+#include "support/program.hpp"
+#include "support/text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace geodrop;
+using namespace geodrop::test;
+
+namespace {
+
+Scene scene_with_bag(double strength) {
+  Scene scene;
+  MembraneSpec membrane;
+  membrane.name = "cloth";
+  membrane.body = "bag";
+  membrane.strength = strength;
+  scene.membranes.push_back(membrane);
+  return scene;
+}
+
+const CsvTable history{{"time_s", "cloth.tension_gauge_N_m", "cloth.tension_gauge_time_s", "cloth.tension_gauge_x_m",
+                        "cloth.tension_gauge_y_m", "bag.position_x_m", "bag.position_y_m", "bag.velocity_x_m_s",
+                        "bag.velocity_y_m_s", "bag.rotation_deg", "bag.height_m", "bag.width_m", "bag.lowest_m"},
+                       {{0, 1, 2},
+                        {0, 30e3, 20e3},
+                        {0, 0.95, 1.7},
+                        {0, 0.5, 2},
+                        {9, 4, 1},
+                        {0, 1, 2},
+                        {9, 5, 0.5},
+                        {0, 0, 3},
+                        {0, -4, 4},
+                        {5, 30, 89},
+                        {6, 6, 1},
+                        {1, 2, 5},
+                        {7, 3, -0.2}}};
+
+}  // namespace
+
+TEST_CASE("Design check: the largest tension with its own time and place, against what reduction leaves") {
+  const auto peaks = peak_tensions(scene_with_bag(120e3), history);
+  REQUIRE(peaks.size() == 1);
+  CHECK(peaks[0].tension == 30e3);
+  CHECK(peaks[0].time == 0.95);
+  CHECK(peaks[0].place == std::array{0.5, 4.0});
+  CHECK(safety(peaks[0], {}).value() == near(4, 1e-12));
+  // 120 kN/m * 0.7 / (1.3 * 1.5) = 43.08 kN/m.
+  TensionStrength factors{};
+  factors.seam_efficiency = 0.7;
+  factors.installation = 1.3;
+  factors.creep = 1.5;
+  CHECK(safety(peaks[0], factors).value() == near(43.0769e3 / 30e3, 1e-5));
+  CHECK_FALSE(safety(peak_tensions(scene_with_bag(0), history)[0], factors).has_value());
+}
+
+TEST_CASE("A body in a closed membrane rests where its last row says") {
+  const auto places = resting_places(scene_with_bag(0), history);
+  REQUIRE(places.size() == 1);
+  CHECK(places[0].x == 2);
+  CHECK(places[0].tilt_deg == 89);
+  CHECK(places[0].speed == near(5, 1e-12));
+  CHECK(places[0].lowest == -0.2);
+}
+
+TEST_CASE("Base64 of RFC 4648, and text that HTML would take for its own") {
+  CHECK(html::base64("") == "");
+  CHECK(html::base64("f") == "Zg==");
+  CHECK(html::base64("fo") == "Zm8=");
+  CHECK(html::base64("foobar") == "Zm9vYmFy");
+  CHECK(html::base64("\xff\xfe\xfd") == "//79");
+  CHECK(html::text("a < b & \"c\"") == "a &lt; b &amp; &quot;c&quot;");
+}
+
+TEST_CASE("report writes one page with all in it; compare tells what differs") {
+  const SceneRun run("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5", "time.end=0.2"});
+  REQUIRE(run.outcome().code == 0);
+  const std::string directory = run.file("").string();
+  const Outcome report = run_program({"report", directory, "--seam-efficiency", "0.5"});
+  CAPTURE(report.err);
+  REQUIRE(report.code == 0);
+  const std::string page = read_file(run.file("report.html"));
+  for (const char* part :
+       {"<h1>", "Key figures", "Beside what was expected", "Design check", "seam efficiency 0.5", "Histories",
+        "Pictures", "data:image/png;base64,", "data:image/svg+xml;base64,", "material water", "1000 kg/m3",
+        "Balance of mass and energy", "geodrop run", "Remarks of the scene"})
+    CHECK_MESSAGE(contains(page, part), part);
+  CHECK_FALSE(contains(page, "src=\"http"));
+  // Nothing is left but the page.
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    CHECK_FALSE(entry.path().filename().string().starts_with("report.html."));
+  CHECK(contains(read_file(run.file("scene.toml")), "# "));
+
+  const SceneRun other("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5", "time.end=0.1"});
+  const Outcome compared = run_program({"compare", directory, other.file("").string()});
+  CHECK(compared.code == 0);
+  CHECK(contains(compared.out, "time.end"));
+  CHECK_FALSE(contains(compared.out, "grid.spacing"));
+  CHECK(contains(compared.out, "of the first"));
+  CHECK(run_program({"compare", directory, "/nowhere"}).code == 2);
+  CHECK(run_program({"report", "/nowhere"}).code == 2);
+}
+
+TEST_CASE("report --pdf without a program that prints names what to install") {
+  const SceneRun run("cases/gravity_column.toml", {"time.end=0.05"});
+  REQUIRE(run.outcome().code == 0);
+  const std::string page = run.file("report.html").string();
+  const std::string search = std::getenv("PATH");
+  const TemporaryDirectory only_gnuplot;
+  for (const char* folder : {"/usr/bin", "/bin", "/usr/local/bin"})
+    if (std::filesystem::exists(std::string(folder) + "/gnuplot")) {
+      std::filesystem::create_symlink(std::string(folder) + "/gnuplot", only_gnuplot / "gnuplot");
+      break;
+    }
+  setenv("PATH", (only_gnuplot / "").c_str(), 1);
+  const Outcome outcome = run_program({"report", run.file("").string(), "--pdf"});
+  setenv("PATH", search.c_str(), 1);
+  CHECK(outcome.code == 1);
+  CHECK(contains(outcome.err, "install chromium or weasyprint"));
+  CHECK(std::filesystem::exists(page));
+}
