@@ -94,7 +94,7 @@ void keep_sides(State<2>& state, const Grids<2>& grids) {
     const NearEdges edges(grids.front().layout, membrane, grids[membrane.field].outline);
     const int water = grids[membrane.field].pore_water;
     for (Body<2>& body : state.bodies)
-      if (body.field == membrane.field || body.field == 0 || body.field == water)
+      if (body.field != waiting && (body.field == membrane.field || body.field == 0 || body.field == water))
         keep_body(grids[body.field], edges, body.field != 0, body);
   }
 }

@@ -88,6 +88,11 @@ PictureValues values_of(const std::vector<Field>& fields, const std::string& nam
   return result;
 }
 
+bool lies_in_pores(const Scene& scene, const BodySpec& water) {
+  return std::ranges::any_of(
+      scene.bodies, [&](const BodySpec& soil) { return soil.saturated_by == water.name && soil.shape == water.shape; });
+}
+
 Categories layers_of(const Scene& scene, const ParticleSnapshot& particles) {
   const std::vector<Base> bases = colours_of_materials(scene);
   Categories result;
@@ -96,6 +101,7 @@ Categories layers_of(const Scene& scene, const ParticleSnapshot& particles) {
     result.colours.push_back(particles.layer.at(p) % 2 == 0 ? base.light : base.dark);
   }
   for (const BodySpec& body : scene.bodies) {
+    if (lies_in_pores(scene, body)) continue;
     const Base& base = bases.at(material_index(scene, body.material));
     result.legend.push_back({body.name + (body.layers > 1 ? ", layers" : ""), base.light});
     if (body.layers > 1) result.legend.push_back({"", base.dark});

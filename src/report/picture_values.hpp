@@ -37,6 +37,9 @@ std::vector<std::string> value_names(const std::vector<Field>& fields);
 /// `name` is one of value_names.
 PictureValues values_of(const std::vector<Field>& fields, const std::string& name);
 
+/// Whether a body of water is in the pores of a soil and nowhere else: pictures show the soil in its place.
+bool lies_in_pores(const Scene& scene, const BodySpec& water);
+
 /// Layers: bodies in the colours of their materials, darker and lighter in turn where they have layers.
 Categories layers_of(const Scene& scene, const ParticleSnapshot& particles);
 Categories materials_of(const Scene& scene, const ParticleSnapshot& particles);

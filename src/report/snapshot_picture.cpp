@@ -136,7 +136,10 @@ std::vector<Disc> discs_of(const Scene& scene, const ParticleSnapshot& particles
   std::vector<double> radius;
   for (const BodySpec& body : scene.bodies) radius.push_back(reach * scene.grid.spacing / body.particles_per_cell_axis);
   std::vector<Disc> discs;
+  std::vector<bool> hidden;
+  for (const BodySpec& body : scene.bodies) hidden.push_back(lies_in_pores(scene, body));
   for (std::size_t p = 0; p < colours.size(); ++p) {
+    if (hidden.at(particles.body[p])) continue;
     const Mask& mask = masks.at(particles.body[p]);
     discs.push_back({{particles.points[3 * p], particles.points[3 * p + 1]},
                      radius[particles.body[p]],

@@ -25,7 +25,7 @@ struct Joined {
   double energy_before = 0, energy = 0;
 
   explicit Joined(double friction, double pore_pressure = -1) {
-    const Scene scene = read_scene(source_path("cases/dump_kekerdom.toml"),
+    const Scene scene = read_scene(source_path("cases/dump_kekerdom_undrained.toml"),
                                    {"grid.spacing=0.5", "bodies.container.shape.centre=[0.0, 2.5]",
                                     "bodies.bed.minus=[\"container\"]", "membranes.geotextile.bed_friction=0.5"});
     state = build_state<2>(scene);

@@ -8,7 +8,7 @@ using namespace geodrop;
 namespace {
 
 void check_refused(const std::vector<std::string>& overrides, const std::string& says) {
-  const std::string error = scene_error(source_path("cases/dump_kekerdom.toml"), overrides);
+  const std::string error = scene_error(source_path("cases/dump_kekerdom_undrained.toml"), overrides);
   CAPTURE(error);
   CHECK(error.find(says) != std::string::npos);
 }
@@ -24,6 +24,10 @@ TEST_CASE("A sharp interface needs cells that are knot spans, their pressure on 
   check_refused({"solver.transfer=musl"}, key + "with solver.transfer = \"musl\"");
   check_refused({"bodies.container.pressure=particle"}, key + "around a body whose pressure is not that of cells");
   check_refused({"bodies.water.pressure=particle", "bodies.bed.pressure=particle"}, key + "with nothing around");
+  // Water in the pores inside is not around.
+  const std::string bag = scene_error(source_path("cases/dump_kekerdom.toml"),
+                                      {"bodies.water.pressure=particle", "bodies.bed.pressure=particle"});
+  CHECK(bag.find(key + "with nothing around") != std::string::npos);
 }
 
 TEST_CASE("A bed is a body that is there, and friction is on a bed") {

@@ -6,6 +6,7 @@
 #include "report/raster.hpp"
 #include "support/near.hpp"
 #include "support/program.hpp"
+#include "support/scene_files.hpp"
 #include "support/text.hpp"
 
 #include <doctest/doctest.h>
@@ -161,4 +162,12 @@ TEST_CASE("snapshot and animate draw a run; what they cannot draw is named") {
   CHECK(run_program({"snapshot", directory + "/none"}).code == 2);
   CHECK(run_program({"animate", directory}).code == 0);
   CHECK(read_file(run.file("animation.gif")).starts_with("GIF89a"));
+}
+
+TEST_CASE("Water in the pores of a bag is not drawn over its soil; water that is elsewhere, too, is drawn") {
+  const Scene bag = read_scene(source_path("cases/dump_kekerdom.toml"));
+  for (const BodySpec& body : bag.bodies) CHECK(lies_in_pores(bag, body) == (body.name == "pore_water"));
+  for (const LegendEntry& entry : layers_of(bag, {}).legend) CHECK(entry.name.find("pore_water") == std::string::npos);
+  const Scene bed = read_scene(source_path("cases/verification/saturated_bed_rests.toml"));
+  for (const BodySpec& body : bed.bodies) CHECK_FALSE(lies_in_pores(bed, body));
 }

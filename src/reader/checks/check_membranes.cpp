@@ -125,7 +125,8 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     refuse("around a body whose pressure is not that of cells",
            "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
   else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
-             return sharp(other.name) == 0 && other.pressure == PressureSupport::cell;
+             const bool in_pores = body && other.name == body->saturated_by;
+             return sharp(other.name) == 0 && !in_pores && other.pressure == PressureSupport::cell;
            }))
     refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
 }
