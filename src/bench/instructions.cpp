@@ -53,7 +53,9 @@ class Scratch {
 std::vector<InstructionCount> count_instructions(const BenchOptions& options) {
   const Scratch scratch;
   const std::string dumps = (scratch.path() / "dump").string();
-  std::vector<std::string> words{"valgrind",
+  std::vector<std::string> words{"env",  // as many threads as there are cores, whatever the caller's shell says
+                                 "--unset=OMP_NUM_THREADS",
+                                 "valgrind",
                                  "--tool=callgrind",
                                  "--callgrind-out-file=" + dumps,
                                  "--log-file=" + (scratch.path() / "log").string(),
