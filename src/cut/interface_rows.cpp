@@ -179,15 +179,13 @@ SparseRows Rows::drag(double dt) {
     if (grid.pore_water >= 0) soil_of[grid.pore_water] = grid.field;
   for (std::size_t k = 0; k < columns_.places().size(); ++k) {  // grows
     const auto [field, node] = std::pair(columns_.places()[k].field, columns_.places()[k].node);
-    const bool of_soil = grids_[field].pore_water >= 0;
-    const int soil = of_soil ? field : soil_of[field];
+    const int soil = grids_[field].pore_water >= 0 ? field : soil_of[field];
     if (soil < 0) continue;
     const Grid<2>&grid = grids_[soil], &around = grids_[grid.pore_water];
     const double c = dt * around.node_drag[node];
     if (!(c > 0 && grid.sum[node][3] > 0 && around.sum[node][3] > 0)) continue;
     const int water_column = columns_.of(around.field, node), soil_column = columns_.of(soil, node);
-    if (of_soil || soil_column > static_cast<int>(2 * k))
-      pairs.push_back({water_column, soil_column, c / around.sum[node][3], c / grid.sum[node][3]});
+    pairs.push_back({water_column, soil_column, c / around.sum[node][3], c / grid.sum[node][3]});
   }
   if (pairs.empty()) return {};
   const auto n = static_cast<Eigen::Index>(2 * columns_.places().size());
@@ -195,7 +193,7 @@ SparseRows Rows::drag(double dt) {
   std::vector<bool> paired(n, false);
   for (const auto& [water, soil, of_water, of_soil] : pairs)
     for (int a = 0; a < 2; ++a) {
-      if (paired[water + a] || columns_.places()[water / 2].fixed[a]) continue;
+      if (paired[water + a] /* both of a pair name it */ || columns_.places()[water / 2].fixed[a]) continue;
       const double scale = 1 / (1 + of_water + of_soil), both = std::sqrt(of_water * of_soil) * scale;
       entries.emplace_back(water + a, water + a, (1 + of_soil) * scale);
       entries.emplace_back(soil + a, soil + a, (1 + of_water) * scale);
