@@ -164,12 +164,6 @@ void print_notes(const geodrop::Scene& scene) {
   for (const std::string& note : geodrop::scene_notes(scene)) std::cout << "note: " << note << '\n';
 }
 
-std::string texts_json(const std::vector<std::string>& texts) {
-  std::vector<std::string> items;
-  for (const std::string& text : texts) items.push_back(geodrop::json_text(text));
-  return geodrop::json_array(items);
-}
-
 std::string problems_json(const geodrop::SceneError& error) {
   std::vector<std::string> items;
   for (const geodrop::SceneProblem& problem : error.problems())
@@ -189,8 +183,8 @@ int check_for_programs(const Arguments& arguments) {
     const geodrop::Scene scene = geodrop::read_scene(arguments.scene, arguments.overrides);
     geodrop::check_results(scene);
     geodrop::check_first_step(scene);
-    warnings = texts_json(geodrop::doubts(scene));
-    notes = texts_json(geodrop::scene_notes(scene));
+    warnings = geodrop::json_texts(geodrop::doubts(scene));
+    notes = geodrop::json_texts(geodrop::scene_notes(scene));
   } catch (const geodrop::SceneError& error) {
     problems = problems_json(error);
     code = exit_usage;

@@ -85,6 +85,12 @@ std::string json_object(const std::vector<std::pair<std::string, std::string>>& 
 
 std::string json_array(const std::vector<std::string>& items) { return lines(items, '[', ']'); }
 
+std::string json_texts(const std::vector<std::string>& texts) {
+  std::vector<std::string> items;
+  for (const std::string& text : texts) items.push_back(json_text(text));
+  return json_array(items);
+}
+
 std::string json_record(const std::vector<std::pair<std::string, std::string>>& members) {
   std::string text = "{";
   for (std::size_t i = 0; i < members.size(); ++i) text += (i == 0 ? "" : ", ") + member(members[i]);

@@ -15,6 +15,8 @@ std::string json_number(double value);
 /// Members and items are JSON already. Each stands on a line of its own, what is inside them is moved in.
 std::string json_object(const std::vector<std::pair<std::string, std::string>>& members);
 std::string json_array(const std::vector<std::string>& items);
+/// An array of texts.
+std::string json_texts(const std::vector<std::string>& texts);
 /// On one line.
 std::string json_record(const std::vector<std::pair<std::string, std::string>>& members);
 

@@ -57,18 +57,18 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
+std::string did_you_mean(const std::string& nearest) {
+  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
+}
+
+}  // namespace
+
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   return names;
 }
-
-std::string did_you_mean(const std::string& nearest) {
-  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
-}
-
-}  // namespace
 
 std::string examples_of(const std::string& command) {
   const auto* const found = std::ranges::find_if(examples, [&](const auto& each) { return each.first == command; });

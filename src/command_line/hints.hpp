@@ -15,6 +15,9 @@ std::string examples_of(const std::string& command);
 /// nearest; empty if it is something else. The program is the first word.
 std::string hint_for(const CLI::App& app, const std::vector<std::string>& words);
 
+/// "--output", ... of a command.
+std::vector<std::string> option_names(const CLI::App& command);
+
 /// All commands, in one line.
 std::string commands_of(const CLI::App& app);
 

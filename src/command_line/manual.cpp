@@ -13,8 +13,7 @@ std::vector<const CLI::App*> commands(const CLI::App& app) {
 
 std::string long_options(const CLI::App& command) {
   std::string words;
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) words += (words.empty() ? "--" : " --") + name;
+  for (const std::string& name : option_names(command)) words += (words.empty() ? "" : " ") + name;
   return words;
 }
 

@@ -72,7 +72,7 @@ void add_animate_options(CLI::App& command, SnapshotArguments& arguments) {
       ->check(only_if<std::string>([](const std::string& file) { return file.ends_with(".gif"); }, "a file .gif"));
 }
 
-int run_snapshot(SnapshotArguments arguments) {
+int run_snapshot(const SnapshotArguments& arguments) {
   const fs::path directory = arguments.directory;
   const std::vector<double> times = frame_times(directory);
   const Scene scene = read_scene(directory / "scene.toml");
@@ -88,7 +88,7 @@ int run_snapshot(SnapshotArguments arguments) {
   return 0;
 }
 
-int run_animate(SnapshotArguments arguments) {
+int run_animate(const SnapshotArguments& arguments) {
   const fs::path directory = arguments.directory;
   std::vector<std::size_t> frames(frame_times(directory).size());
   std::iota(frames.begin(), frames.end(), std::size_t{0});

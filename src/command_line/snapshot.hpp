@@ -22,7 +22,7 @@ void add_snapshot_options(CLI::App& command, SnapshotArguments& arguments);
 void add_animate_options(CLI::App& command, SnapshotArguments& arguments);
 
 /// Return the exit code.
-int run_snapshot(SnapshotArguments arguments);
-int run_animate(SnapshotArguments arguments);
+int run_snapshot(const SnapshotArguments& arguments);
+int run_animate(const SnapshotArguments& arguments);
 
 }  // namespace geodrop

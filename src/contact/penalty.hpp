@@ -6,6 +6,9 @@
 // surface that belongs to the point; xi, stretch of its tangential spring, which slips where f_t is cut.
 #pragma once
 
+#include <geodrop/materials/materials.hpp>
+#include <geodrop/scene/scene.hpp>
+
 #include <algorithm>
 
 namespace geodrop {
@@ -21,6 +24,23 @@ struct Penalty {
 template <class Contact>
 Penalty penalty_of(const Contact& contact, double length) {
   return {contact.stiffness * length, contact.damping * length, contact.friction};
+}
+
+/// Stiffness and damping of a contact with a body of a material, in cells of width h [m].
+template <class Contact>
+void set_penalty(const ContactSpec& spec, const Material& material, double h, Contact& contact) {
+  contact.stiffness = spec.stiffness * impedance(material) * wave_speed(material) / h;
+  contact.damping = spec.damping * impedance(material);
+}
+
+/// Of the step before: the points in contact and the sums over them.
+template <class Contact>
+void forget_points(Contact& contact) {
+  contact.points.clear();
+  contact.slip.clear();
+  contact.side.clear();
+  contact.normal_force = contact.friction_force = {};
+  contact.normal_sum = contact.friction_sum = 0;
 }
 
 struct PenaltyForce {

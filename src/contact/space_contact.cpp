@@ -57,7 +57,7 @@ Vec<3> push(const Touch& touch, std::uint32_t node, double dt, RigidContact<3>& 
   contact.side.push_back(0);
   contact.normal_sum += normal;
   contact.friction_sum += friction.norm();
-  const Vec<3> force = normal * touch.normal + friction;
+  Vec<3> force = normal * touch.normal + friction;
   for (int a = 0; a < 3; ++a) {
     contact.normal_force[a] += normal * touch.normal[a];
     contact.friction_force[a] += friction[a];
@@ -65,17 +65,9 @@ Vec<3> push(const Touch& touch, std::uint32_t node, double dt, RigidContact<3>& 
   return force;
 }
 
-void forget(RigidContact<3>& contact) {
-  contact.points.clear();
-  contact.slip.clear();
-  contact.side.clear();
-  contact.normal_force = contact.friction_force = {};
-  contact.normal_sum = contact.friction_sum = 0;
-}
-
 void add_contact(const RigidBody<3>& rigid, double dt, Membrane<3>& membrane, RigidContact<3>& contact) {
   Springs springs(contact);
-  forget(contact);
+  forget_points(contact);
   const Vec<3> normal(rigid.normal.data()), from(rigid.from.data());
   const Array<double> area = node_areas(membrane);
   for (std::uint32_t k = 0; k < membrane.nodes(); ++k) {
@@ -111,8 +103,7 @@ RigidContact<3> make_space_contact(const Scene& scene, const ContactSpec& spec, 
   const double h = finest_spacing(scene.grid);
   for (const Body<3>& body : state.bodies) {
     if (body.name != membrane.body) continue;
-    contact.stiffness = spec.stiffness * impedance(body.material) * wave_speed(body.material) / h;
-    contact.damping = spec.damping * impedance(body.material);
+    set_penalty(spec, body.material, h, contact);
     return contact;
   }
   contact.stiffness = spec.stiffness * membrane.axial_stiffness / (h * h);
@@ -127,7 +118,7 @@ void add_space_contacts(State<3>& state, double dt) {
     if (rigid.present && membrane.field != waiting)
       add_contact(rigid, dt, membrane, contact);
     else
-      forget(contact);
+      forget_points(contact);
   }
 }
 

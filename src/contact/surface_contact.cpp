@@ -43,14 +43,6 @@ class Memories {
   std::size_t next_ = 0;
 };
 
-void forget_points(RigidContact<2>& contact) {
-  contact.points.clear();
-  contact.slip.clear();
-  contact.side.clear();
-  contact.normal_force = contact.friction_force = {};
-  contact.normal_sum = contact.friction_sum = 0;
-}
-
 /// One point in contact, `v` [m/s] over the surface: its force; keeps its memory and adds to the sums.
 Vec<2> push(const ContactPoint& point, const RigidSurface::Gap& gap, const Vec<2>& v, double slip, double dt,
             RigidContact<2>& contact) {
@@ -226,9 +218,7 @@ RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, 
   contact.bare = pair.kind == ContactPair::Kind::body_on_rigid;
   contact.friction = spec.friction;
   const Body<2>& body = touching_body(state, contact);
-  const Material& material = body.material;
-  contact.stiffness = spec.stiffness * impedance(material) * wave_speed(material) / finest_spacing(scene.grid);
-  contact.damping = spec.damping * impedance(material);
+  set_penalty(spec, body.material, finest_spacing(scene.grid), contact);
   if (contact.bare) contact.reach = contact.half_width = particle_reach(scene, body);
   return contact;
 }

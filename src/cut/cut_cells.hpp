@@ -20,6 +20,10 @@ inline int local_cell(const GridLayout<2>& layout, const CutCells& cells, double
   return i >= 0 && j >= 0 && i < cells.count[0] && j < cells.count[1] ? i + j * cells.count[0] : -1;
 }
 
+inline int local_cell(const GridLayout<2>& layout, const CutCells& cells, const Vec<2>& x) {
+  return local_cell(layout, cells, x[0], x[1]);
+}
+
 /// The local cell at n of the 3 x 3 around one that the outline cuts, x fastest; all are in the box.
 inline int local_around(const CutCells& cells, int cell, int n) {
   return cell + n % 3 - 1 + (n / 3 - 1) * cells.count[0];

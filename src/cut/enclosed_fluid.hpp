@@ -1,5 +1,6 @@
 // Pressure of a fluid that fills a closed membrane: exact in the cells that the membrane cuts, and at rest with nothing
-// left over (PressureSupport::enclosed; 2D, quadratic B-splines on uniform axes).
+// left over (PressureSupport::enclosed; quadratic B-splines on uniform axes; in space
+// with triangles in place of edges, and all bodies of the field are such fluids).
 //
 // The pressure is split into that of the fluid's weight, known in closed form, and the rest, which the volume makes:
 //
@@ -28,15 +29,19 @@
 namespace geodrop {
 
 /// Cut cells, their hosts and pressures, from membranes and particles.
-void update_enclosed_cells(const State<2>& state, Grid<2>& grid);
+template <int Dim>
+void update_enclosed_cells(const State<Dim>& state, Grid<Dim>& grid);
 
 /// Adds the loads of enclosed fluids to their membranes.
-void add_fluid_loads(State<2>& state, const Grid<2>& grid);
+template <int Dim>
+void add_fluid_loads(State<Dim>& state, const Grid<Dim>& grid);
 
 /// Adds the forces of pressure jumps to the grid, and takes gravity `g` [m/s2] from the enclosed fluids.
-void enclosed_force_to_grid(const State<2>& state, Grid<2>& grid, const Point& g, double dt);
+template <int Dim>
+void enclosed_force_to_grid(const State<Dim>& state, Grid<Dim>& grid, const Point& g, double dt);
 
 /// Volume rates of enclosed cells from the nodal velocities; evens out J within cells.
-void update_enclosed_rates(State<2>& state, Grid<2>& grid, double dt);
+template <int Dim>
+void update_enclosed_rates(State<Dim>& state, Grid<Dim>& grid, double dt);
 
 }  // namespace geodrop

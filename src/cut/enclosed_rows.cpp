@@ -3,7 +3,6 @@
 #include "scene/needs.hpp"
 
 #include "enclosed_fluid.hpp"
-#include "enclosed_in_space.hpp"
 
 namespace geodrop {
 

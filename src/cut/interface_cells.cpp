@@ -80,7 +80,7 @@ bool stands(const Grid<2>& grid, int flat) {
 /// The nearest cell that stands by itself, rather one to the side that `towards` points to: a thin body has water on
 /// both sides. -1 if there is none nearby.
 int find_host(const Grid<2>& grid, int flat, const std::array<double, 2>& towards) {
-  static const std::vector<std::array<int, 2>> nearby = offsets_by_distance();
+  static const std::vector<std::array<int, 2>> nearby = offsets_by_distance<2>();
   if (stands(grid, flat)) return flat;
   for (const bool same_side : {true, false})
     for (const auto& [x, y] : nearby) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "grid/momentum.hpp"
+#include "membrane/outline.hpp"
 #include "outline_pieces.hpp"
 #include "wet_cells.hpp"
 
@@ -20,9 +21,7 @@ double light_mass(const Grid<2>& grid, int node) {
 }  // namespace
 
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece) {
-  const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
-  return (piece.to - piece.from) * std::hypot(membrane.x[0][to] - membrane.x[0][from],  //
-                                              membrane.x[1][to] - membrane.x[1][from]);
+  return (piece.to - piece.from) * segment_length(membrane, static_cast<std::size_t>(piece.edge));
 }
 
 std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells) {

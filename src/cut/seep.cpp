@@ -1,11 +1,10 @@
 #include "seep.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <vector>
 
+#include "membrane/outline.hpp"
 #include "outline_pieces.hpp"
 
 namespace geodrop {
@@ -26,11 +25,13 @@ class Pools {
     for (const PartCell& part : grid.part_cells)
       if (part.host >= 0) host_.emplace_back(part.flat, part.host);
     std::sort(host_.begin(), host_.end());
-    for_each_particle([&](std::size_t p, Pool& pool) {
+    find_members();
+    for (const auto& [p, host] : members_) {
+      Pool& pool = pools_[host];
       pool.mass += body.mass[p];
       pool.volume += body.volume(p);
       for (int a = 0; a < 2; ++a) pool.momentum[a] += body.mass[p] * body.v[a][p];
-    });
+    }
   }
 
   /// That of a cell; null if nothing is in it.
@@ -42,12 +43,13 @@ class Pools {
 
   /// Particles give a share of their mass each, and take a share of what comes by theirs.
   void hand_over() {
-    for_each_particle([&](std::size_t p, const Pool& pool) {
+    for (const auto& [p, host] : members_) {
+      const Pool& pool = pools_.at(host);
       const double kept = body_.mass[p] * (1 - pool.given / pool.mass), part = body_.mass[p] / pool.mass;
       const double mass = kept + part * pool.taken;
       for (int a = 0; a < 2; ++a) body_.v[a][p] = (kept * body_.v[a][p] + part * pool.taken_speed[a]) / mass;
       body_.mass[p] = mass;
-    });
+    }
   }
 
  private:
@@ -57,20 +59,20 @@ class Pools {
   }
 
   /// Particles of a cell stand together for the most part.
-  template <class F>
-  void for_each_particle(F f) {
+  void find_members() {
     int last = -1, host = -1;
     for (std::size_t p = 0; p < body_.size(); ++p) {
       const int flat = grid_.layout.index({grid_.layout.base(0, body_.x[0][p]), grid_.layout.base(1, body_.x[1][p])});
       if (flat != last) host = host_of(last = flat);
-      if (host >= 0) f(p, pools_[host]);
+      if (host >= 0) members_.emplace_back(p, host);
     }
   }
 
   const Grid<2>& grid_;
   Body<2>& body_;
-  std::vector<std::pair<int, int>> host_;  ///< of each part, by flat index
-  std::map<int, Pool> pools_;              ///< by host
+  std::vector<std::pair<int, int>> host_;             ///< of each part, by flat index
+  std::vector<std::pair<std::size_t, int>> members_;  ///< particles with their hosts
+  std::map<int, Pool> pools_;                         ///< by host
 };
 
 /// Volume that flows outwards through each cell in a step [m3].
@@ -78,9 +80,9 @@ std::map<int, double> flows(const GridLayout<2>& layout, const Membrane<2>& memb
                             double dt) {
   std::map<int, double> out;
   for (const CutCells::Piece& piece : cells.pieces) {
-    const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
-    const double length = std::hypot(membrane.x[0][to] - membrane.x[0][from], membrane.x[1][to] - membrane.x[1][from]);
-    out[flat_of(layout, cells, piece.cell)] += dt * membrane.seepage[from] * (piece.to - piece.from) * length;
+    const std::size_t edge = piece.edge;
+    out[flat_of(layout, cells, piece.cell)] +=
+        dt * membrane.seepage[edge] * (piece.to - piece.from) * segment_length(membrane, edge);
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "scene/needs.hpp"
 #include "setup/memory_estimate.hpp"
 
 namespace geodrop {
@@ -39,16 +40,8 @@ double top_of_fluid(const Scene& scene, const std::string& material) {
   return top;
 }
 
-/// The still fluid that a body starts from, if it tells of one.
-const HydrostaticSpec* still_fluid(const BodySpec& body) {
-  if (const auto* still = std::get_if<HydrostaticSpec>(&body.initial_stress)) return still;
-  if (const auto* around = std::get_if<FluidPressureSpec>(&body.initial_stress)) return &around->fluid;
-  const auto* soil = std::get_if<K0StressSpec>(&body.initial_stress);
-  return soil && soil->fluid ? &*soil->fluid : nullptr;
-}
-
 std::string surface_doubt(const Scene& scene, const BodySpec& body) {
-  const HydrostaticSpec* still = still_fluid(body);
+  const HydrostaticSpec* still = still_fluid_of(body.initial_stress);
   const double top = still ? top_of_fluid(scene, still->fluid) : 0;
   if (!still || !std::isfinite(top) || std::abs(still->surface - top) <= scene.grid.spacing) return {};
   return "bodies." + body.name + ".initial_stress: the surface of \"" + still->fluid + "\" at " +

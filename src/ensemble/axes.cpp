@@ -7,21 +7,11 @@
 #include <cstdlib>
 
 #include "base/text.hpp"
+#include "keys/key.hpp"
 #include "samples.hpp"
 
 namespace geodrop {
 namespace {
-
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::vector<std::string> parts{""};
-  for (const char letter : text) {
-    if (letter == separator)
-      parts.emplace_back();
-    else
-      parts.back() += letter;
-  }
-  return parts;
-}
 
 /// Without the round-off of the steps: 0.1 + 0.2 is 0.3.
 double rounded(double value) {
@@ -55,7 +45,7 @@ Axis parse_axis(const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   Axis axis{text.substr(0, equals), {}};
   const std::string range = equals < text.size() ? text.substr(equals + 1) : "";
-  axis.values = range.find(':') == std::string::npos ? parts_of(range, ',') : values_between(parts_of(range, ':'));
+  axis.values = range.find(':') == std::string::npos ? split(range, ',') : values_between(split(range, ':'));
   const bool has_empty = std::ranges::any_of(axis.values, [](const std::string& value) { return value.empty(); });
   if (!axis.key.empty() && !axis.values.empty() && !has_empty) return axis;
   throw SceneError(

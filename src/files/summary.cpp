@@ -54,12 +54,6 @@ std::string stages_json(const std::vector<StageTime>& stages) {
   return json_array(items);
 }
 
-std::string texts_json(const std::vector<std::string>& texts) {
-  std::vector<std::string> items;
-  for (const std::string& text : texts) items.push_back(json_text(text));
-  return json_array(items);
-}
-
 /// Largest resident memory of this process so far [byte].
 double peak_memory() {
   rusage usage{};
@@ -100,7 +94,7 @@ std::string summary_json(const Scene& scene, const RunIdentity& run, const RunSt
   const double particle_steps = static_cast<double>(statistics.steps) * static_cast<double>(run.particles);
   return json_object({{"status", json_text(status_name(statistics.status))},
                       {"message", json_text(statistics.message)},
-                      {"warnings", texts_json(summary.warnings)},
+                      {"warnings", json_texts(summary.warnings)},
                       {"started", json_text(run.started)},
                       {"ended", json_text(run.ended)},
                       {"host", json_text(run.host)},

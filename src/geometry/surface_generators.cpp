@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "corner.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -14,15 +16,11 @@ constexpr double full_turn = 2 * std::numbers::pi;
 Corner along(const Corner& from, double way, const Corner& direction) {
   return {from[0] + way * direction[0], from[1] + way * direction[1], from[2] + way * direction[2]};
 }
-double length(const Corner& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+double length(const Corner& v) { return std::sqrt(dot(v, v)); }
 Corner unit(const Corner& v) {
   const double size = length(v);
   return {v[0] / size, v[1] / size, v[2] / size};
 }
-Corner cross(const Corner& a, const Corner& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// How many pieces of about `piece` a length has, at least `least`.
 std::uint32_t pieces(double whole, double piece, std::uint32_t least) {
   return std::max(least, static_cast<std::uint32_t>(std::lround(whole / piece)));

@@ -6,15 +6,10 @@
 #include <utility>
 
 #include "clip_triangle.hpp"
+#include "corner.hpp"
 
 namespace geodrop {
 namespace {
-
-Corner difference(const Corner& a, const Corner& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Corner cross(const Corner& a, const Corner& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Corner& a, const Corner& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Twice the area, outwards.
 Corner normal_of(const TriangleSurface& surface, const std::array<std::uint32_t, 3>& triangle) {
@@ -100,7 +95,7 @@ std::string fault_of(const TriangleSurface& surface) {
     const Corner normal = normal_of(surface, corners);
     if (!(std::sqrt(dot(normal, normal)) > least_share * longest)) return number(t) + ", which has no area";
   }
-  const std::string edges = fault_of_edges(surface);
+  std::string edges = fault_of_edges(surface);
   if (!edges.empty()) return edges;
   return volume(surface) > 0 ? "" : "a surface whose triangles face inwards";
 }
@@ -124,8 +119,7 @@ SurfaceRegion::SurfaceRegion(TriangleSurface surface) : surface_(std::move(surfa
     const auto [z_low, z_high] = std::minmax({corner(t, 0)[2], corner(t, 1)[2], corner(t, 2)[2]});
     const Columns columns = columns_of(y_low, y_high, z_low, z_high);
     for (int z = columns.first[1]; z <= columns.last[1]; ++z)
-      for (int y = columns.first[0]; y <= columns.last[0]; ++y)
-        columns_[static_cast<std::size_t>(z * count_[0] + y)].push_back(t);
+      for (int y = columns.first[0]; y <= columns.last[0]; ++y) columns_[column_at(y, z)].push_back(t);
   }
 }
 
@@ -148,7 +142,7 @@ template <class Visit>
 void SurfaceRegion::for_each_near(const Columns& columns, Visit&& visit) const {
   for (int z = columns.first[1]; z <= columns.last[1]; ++z)
     for (int y = columns.first[0]; y <= columns.last[0]; ++y)
-      for (const std::uint32_t t : columns_[static_cast<std::size_t>(z * count_[0] + y)]) {
+      for (const std::uint32_t t : columns_[column_at(y, z)]) {
         const auto [y_low, y_high] = std::minmax({corner(t, 0)[1], corner(t, 1)[1], corner(t, 2)[1]});
         const auto [z_low, z_high] = std::minmax({corner(t, 0)[2], corner(t, 1)[2], corner(t, 2)[2]});
         const Columns own = columns_of(y_low, y_high, z_low, z_high);

@@ -9,6 +9,7 @@
 
 #include "base/fixed_order_sum.hpp"
 #include "geometry/polygon.hpp"
+#include "mean_and_deviation.hpp"
 #include "membrane/bounds.hpp"
 #include "membrane/triangles.hpp"
 
@@ -107,18 +108,6 @@ CentredSums<Dim> sum_about(const Body<Dim>& body, const Vec<Dim>& centre, const 
     for (int a = 0; a < Dim; ++a) sums.stress[a] += volume * stress[a];
   });
 }
-
-/// Mean and standard deviation over the cloth at rest.
-struct MeanAndDeviation {
-  double weight = 0, sum = 0, squares = 0;
-  void add(double w, double value) {
-    weight += w;
-    sum += w * value;
-    squares += w * value * value;
-  }
-  double mean() const { return sum / weight; }
-  double deviation() const { return std::sqrt(std::max(0.0, squares / weight - mean() * mean())); }
-};
 
 void measure_gauge(const Membrane<3>& membrane, MembraneMeasures<3>& measures) {
   measures.gauge_peak = membrane.gauge.peak;

@@ -1,18 +1,13 @@
 #include "water_force.hpp"
 
-#include <cmath>
-
 #include "geometry/polygon.hpp"
+#include "membrane/outline.hpp"
 
 namespace geodrop {
 
 double seepage(const Membrane<2>& membrane) {
   double sum = 0;
-  for (std::size_t s = 0; s < membrane.seepage.size(); ++s) {
-    const std::size_t end = (s + 1) % membrane.nodes();
-    sum +=
-        membrane.seepage[s] * std::hypot(membrane.x[0][end] - membrane.x[0][s], membrane.x[1][end] - membrane.x[1][s]);
-  }
+  for (std::size_t s = 0; s < membrane.seepage.size(); ++s) sum += membrane.seepage[s] * segment_length(membrane, s);
   return sum;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include "key_table.hpp"
 
@@ -16,7 +17,7 @@ Json object_of(const Section& section);
 Json list_of(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
 
 Json type_of(const Key& key) {
-  const Json text = {{"type", "string"}}, number = {{"type", "number"}};
+  Json text = {{"type", "string"}}, number = {{"type", "number"}};
   switch (key.kind) {
     case Kind::text:
     case Kind::name:
@@ -25,7 +26,7 @@ Json type_of(const Key& key) {
       return {{"type", "string"}, {"enum", key.words}};
     case Kind::texts:
     case Kind::names:
-      return list_of(text);
+      return list_of(std::move(text));
     case Kind::boolean:
       return {{"type", "boolean"}};
     case Kind::integer:
@@ -34,9 +35,9 @@ Json type_of(const Key& key) {
       return number;
     case Kind::reals:
     case Kind::point:
-      return list_of(number);
+      return list_of(std::move(number));
     case Kind::points:
-      return list_of(list_of(number));
+      return list_of(list_of(std::move(number)));
     case Kind::table:
       return object_of(*key.below);
     case Kind::named_tables:

@@ -55,10 +55,23 @@ bool saturates(const Scene& scene, const std::string& body) {
                      [&](const BodySpec& soil) { return soil.saturated_by == body; });
 }
 
+bool in_sharp_membrane(const Scene& scene, const std::string& body) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+    return membrane.body == body && membrane.interface == Interface::sharp;
+  });
+}
+
 double water_unit_weight(const Scene& scene, const BodySpec& water) {
   constexpr double standard_gravity = 9.81;  // of the conductivity, where the scene has none
   const double g = scene.gravity.back() < 0 ? -scene.gravity.back() : standard_gravity;
   return std::get<NewtonianSpec>(find_material(scene, water.material)->model).density * g;
+}
+
+const HydrostaticSpec* still_fluid_of(const InitialStress& stress) {
+  if (const auto* fluid = std::get_if<HydrostaticSpec>(&stress)) return fluid;
+  if (const auto* pressure = std::get_if<FluidPressureSpec>(&stress)) return &pressure->fluid;
+  const auto* k0 = std::get_if<K0StressSpec>(&stress);
+  return k0 && k0->fluid ? &*k0->fluid : nullptr;
 }
 
 double contents_friction(const Scene& scene, const MembraneSpec& membrane) {

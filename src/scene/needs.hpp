@@ -25,8 +25,14 @@ bool any_pores(const Scene& scene);
 /// Whether this body is the water in the pores of another.
 bool saturates(const Scene& scene, const std::string& body);
 
+/// Whether a body is inside a membrane with a sharp interface.
+bool in_sharp_membrane(const Scene& scene, const std::string& body);
+
 /// gamma_w of Darcy's law [N/m3] of the water in pores, with the gravity of the scene; 9.81 m/s2 where it has none.
 double water_unit_weight(const Scene& scene, const BodySpec& water);
+
+/// The still fluid that a body starts from; null if its stress tells of none.
+const HydrostaticSpec* still_fluid_of(const InitialStress& stress);
 
 /// mu between a membrane and its body, given or as the material of the body says; infinite: glued [-].
 double contents_friction(const Scene& scene, const MembraneSpec& membrane);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "needs.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -10,12 +12,6 @@ std::string body_of_membrane(const Scene& scene, const std::string& name) {
   for (const MembraneSpec& membrane : scene.membranes)
     if (membrane.name == name) return membrane.body;
   return {};
-}
-
-bool in_sharp_membrane(const Scene& scene, const std::string& body) {
-  return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
-    return membrane.body == body && membrane.interface == Interface::sharp;
-  });
 }
 
 bool parts(const Scene& scene, const std::string& body) {

@@ -99,7 +99,7 @@ SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, M
   constexpr double most_triangles = 2e6;
   const double edge = finest_spacing(grid) / membrane.segments_per_cell;
   const Extent extent = extent_of(membrane.surface);
-  const SurfaceFault outside{"a surface that leaves the grid", "a surface inside the grid"};
+  SurfaceFault outside{"a surface that leaves the grid", "a surface inside the grid"};
   if (leaves(grid, extent)) return outside;
   if (!(extent.area <= most_triangles * std::sqrt(3.0) / 4 * edge * edge))
     return {"a surface of more than 2 million triangles", "one with fewer, by larger cells or fewer segments_per_cell"};

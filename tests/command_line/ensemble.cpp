@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "support/near.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop::test;
 namespace fs = std::filesystem;
@@ -19,17 +19,6 @@ std::vector<std::string> ensemble(const fs::path& output, const std::vector<std:
   std::vector<std::string> words{"ensemble", scene, "--output", output.string(), "--jobs", "2"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-std::vector<std::vector<std::string>> csv(const fs::path& path) {
-  std::istringstream lines(geodrop::read_file(path));
-  std::vector<std::vector<std::string>> table;
-  for (std::string line, cell; std::getline(lines, line);) {
-    table.emplace_back();
-    std::istringstream cells(line);
-    while (std::getline(cells, cell, ',')) table.back().push_back(cell);
-  }
-  return table;
 }
 
 }  // namespace

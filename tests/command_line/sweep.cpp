@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <sstream>
 #include <thread>
 
 #include "support/near.hpp"
@@ -23,17 +22,6 @@ std::vector<std::string> sweep(const fs::path& output, const std::vector<std::st
   std::vector<std::string> words{"sweep", scene, "--output", output.string(), "--jobs", "2"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-std::vector<std::vector<std::string>> csv(const fs::path& path) {
-  std::istringstream lines(geodrop::read_file(path));
-  std::vector<std::vector<std::string>> table;
-  for (std::string line, cell; std::getline(lines, line);) {
-    table.emplace_back();
-    std::istringstream cells(line);
-    while (std::getline(cells, cell, ',')) table.back().push_back(cell);
-  }
-  return table;
 }
 
 std::size_t done(const fs::path& output) {

@@ -1,8 +1,12 @@
 // What stands in a text that the program wrote.
 #pragma once
 
+#include <filesystem>
 #include <sstream>
 #include <string>
+#include <vector>
+
+#include "support/scene_files.hpp"
 
 namespace geodrop::test {
 
@@ -18,6 +22,18 @@ inline std::string line(const std::string& text, const std::string& beginning) {
     if (joined.starts_with(beginning)) return joined;
   }
   return {};
+}
+
+/// Lines and cells of a table without quotes.
+inline std::vector<std::vector<std::string>> csv(const std::filesystem::path& path) {
+  std::istringstream lines(geodrop::read_file(path));
+  std::vector<std::vector<std::string>> table;
+  for (std::string line, cell; std::getline(lines, line);) {
+    table.emplace_back();
+    std::istringstream cells(line);
+    while (std::getline(cells, cell, ',')) table.back().push_back(cell);
+  }
+  return table;
 }
 
 }  // namespace geodrop::test

@@ -60,6 +60,9 @@ class SurfaceRegion {
   Columns columns_of(double y_low, double y_high, double z_low, double z_high) const;
   template <class Visit>
   void for_each_near(const Columns& columns, Visit&& visit) const;
+  std::size_t column_at(int y, int z) const {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[0]) + static_cast<std::size_t>(y);
+  }
   Corner corner(std::uint32_t triangle, int k) const { return surface_.points[surface_.triangles[triangle][k]]; }
 
   TriangleSurface surface_;

@@ -152,7 +152,7 @@ struct ClippedCells {
   std::size_t size() const { return inside.size(); }
 };
 
-/// The cells of a fluid inside a closed membrane, see cut/enclosed_fluid, in space cut/enclosed_in_space.
+/// The cells of a fluid inside a closed membrane, see cut/enclosed_fluid.
 struct EnclosedCells : CutCells {
   ClippedCells space;      ///< in place of CutCells in space
   Array<int> host;         ///< cell whose pressure and rate a cell shares

@@ -4,30 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "measure/mean_and_deviation.hpp"
 #include "membrane/triangles.hpp"
 
 namespace geodrop {
-namespace {
-
-struct Weighted {
-  double weight = 0, sum = 0, squares = 0;
-  void add(double w, double value) {
-    weight += w;
-    sum += w * value;
-    squares += w * value * value;
-  }
-  double mean() const { return sum / weight; }
-  double deviation() const { return std::sqrt(std::max(0.0, squares / weight - mean() * mean())); }
-};
-
-}  // namespace
-
 PatchMeasures measure_patch(const PatchProbeSpec& probe, const Membrane<3>& membrane) {
   const Vec<3> low(probe.lower.data()), high(probe.upper.data());
   const MembraneTriangles<3>& triangles = membrane.triangles;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   PatchMeasures patch{nothing, nothing, nothing, nothing, Vec<3>::Constant(nothing), Vec<3>::Constant(nothing)};
-  Weighted tension, cross;
+  MeanAndDeviation tension, cross;  // over the cloth at rest
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Vec<3> middle = middle_of(membrane, t);
     if ((middle.array() < low.array()).any() || (middle.array() > high.array()).any()) continue;

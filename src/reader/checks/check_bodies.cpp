@@ -1,11 +1,12 @@
 // Checks of bodies: names, what they refer to, and what their material allows.
 #include "check_scene.hpp"
-#include "reader/key_table.hpp"
-
-#include "measure/probes/probes.hpp"
 
 #include <algorithm>
 #include <map>
+
+#include "measure/probes/probes.hpp"
+#include "reader/key_table.hpp"
+#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {
@@ -63,15 +64,10 @@ void check_shift(const Scene& scene, const BodySpec& body, const std::string& ke
 /// In a sharp membrane the water in the pores is a body of its own, apart from that around.
 void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& water, const std::string& key,
                   Report& report) {
-  const auto bagged = [&](const BodySpec& body) {
-    return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
-      return membrane.interface == Interface::sharp && membrane.body == body.name;
-    });
-  };
-  if (bagged(water))
+  if (in_sharp_membrane(scene, water.name))
     return report.add(key + ".saturated_by", '"' + water.name + "\", the body of a sharp membrane",
                       "the soil as the body of that membrane");
-  if (!bagged(soil)) return;
+  if (!in_sharp_membrane(scene, soil.name)) return;
   if (soil.pressure != PressureSupport::particle)
     report.add(key + ".pressure", "the pressure of cells for a coupled soil in a sharp membrane",
                "\"particle\" there: its pore water has that of cells");

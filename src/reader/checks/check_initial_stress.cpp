@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/needs.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -25,13 +27,6 @@ struct BodyView {
 };
 
 bool is_fluid(const MaterialSpec& material) { return std::holds_alternative<NewtonianSpec>(material.model); }
-
-const HydrostaticSpec* still_fluid(const InitialStress& stress) {
-  if (const auto* fluid = std::get_if<HydrostaticSpec>(&stress)) return fluid;
-  if (const auto* pressure = std::get_if<FluidPressureSpec>(&stress)) return &pressure->fluid;
-  const auto* k0 = std::get_if<K0StressSpec>(&stress);
-  return k0 && k0->fluid ? &*k0->fluid : nullptr;
-}
 
 void check_type(const BodyView& view) {
   const MaterialSpec* material = view.material();
@@ -58,7 +53,7 @@ void check_type(const BodyView& view) {
 }
 
 void check_still_fluid(const BodyView& view) {
-  const HydrostaticSpec* still = still_fluid(view.body.initial_stress);
+  const HydrostaticSpec* still = still_fluid_of(view.body.initial_stress);
   if (!still || !view.report.healthy(view.stress())) return;
   const std::string key = view.stress() + ".fluid";
   if (!check_fluid(view.scene, key, still->fluid, view.report)) return;

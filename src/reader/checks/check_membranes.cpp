@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/needs.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -126,7 +128,7 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
            "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
   else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
              const bool in_pores = body && other.name == body->saturated_by;
-             return sharp(other.name) == 0 && !in_pores && other.pressure == PressureSupport::cell;
+             return !in_sharp_membrane(scene, other.name) && !in_pores && other.pressure == PressureSupport::cell;
            }))
     refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
 }
