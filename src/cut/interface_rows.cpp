@@ -123,8 +123,26 @@ std::vector<NodeVector<3>> integrals_over(const GridLayout<3>& layout, const Cli
 }
 
 template <int Dim>
+Columns<Dim>::Columns(const Grids<Dim>& grids) : grids_(grids) {
+  constexpr int reach = 2;  // beyond the boxes of the outlines
+  std::array<int, Dim> last{};
+  first_.fill(std::numeric_limits<int>::max());
+  for (const Grid<Dim>& grid : grids)
+    for (int a = 0; a < Dim && grid.outline.size() > 0; ++a) {
+      first_[a] = std::min(first_[a], grid.outline.first[a] - reach);
+      last[a] = std::max(last[a], grid.outline.first[a] + grid.outline.count[a] + reach);
+    }
+  std::size_t size = 1;
+  for (int a = 0; a < Dim; ++a) size *= count_[a] = std::max(0, last[a] - first_[a]);
+  number_.assign(grids.size(), std::vector<int>(size, -1));
+}
+
+template <int Dim>
 int Columns<Dim>::of(int field, int node) {
-  int& number = number_[field][node];
+  const std::array<int, Dim> at = stored_cell(grids_[field].layout, node);
+  std::size_t place = 0;
+  for (int a = Dim - 1; a >= 0; --a) place = place * count_[a] + at[a] - first_[a];
+  int& number = number_[field][place];
   if (number >= 0) return number;
   number = Dim * static_cast<int>(places_.size());
   places_.push_back({field, node, std::sqrt(grids_[field].sum[node][3]), held_by_walls(grids_[field].layout, node)});
@@ -262,47 +280,6 @@ SparseRows Rows<Dim>::matrix() const {
       }
   }
   return E;
-}
-
-SparseRows times_transpose(const SparseRows& A, const SparseRows& B) {
-  const SparseRows Bt = B.transpose();
-  const int *a_begin = A.outerIndexPtr(), *a_column = A.innerIndexPtr();
-  const int *b_begin = Bt.outerIndexPtr(), *b_column = Bt.innerIndexPtr();
-  const double *a_value = A.valuePtr(), *b_value = Bt.valuePtr();
-  const auto rows = static_cast<int>(A.rows());
-  std::vector<std::vector<std::pair<int, double>>> out(rows);
-#pragma omp parallel
-  {
-    std::vector<double> sum(B.rows(), 0.0);
-    std::vector<int> met(B.rows(), -1), columns;  // by the row that met it last
-#pragma omp for schedule(dynamic, 16)
-    for (int r = 0; r < rows; ++r) {
-      columns.clear();
-      for (int k = a_begin[r]; k < a_begin[r + 1]; ++k)
-        for (int l = b_begin[a_column[k]]; l < b_begin[a_column[k] + 1]; ++l) {
-          const int c = b_column[l];
-          if (met[c] != r) {
-            met[c] = r;
-            sum[c] = 0;
-            columns.push_back(c);
-          }
-          sum[c] += a_value[k] * b_value[l];
-        }
-      std::sort(columns.begin(), columns.end());
-      out[r].reserve(columns.size());
-      for (const int c : columns) out[r].emplace_back(c, sum[c]);
-    }
-  }
-  SparseRows product(A.rows(), B.rows());
-  std::size_t entries = 0;
-  for (const auto& row : out) entries += row.size();
-  product.reserve(static_cast<Eigen::Index>(entries));
-  for (int r = 0; r < rows; ++r) {
-    product.startVec(r);
-    for (const auto& [c, value] : out[r]) product.insertBack(r, c) = value;
-  }
-  product.finalize();
-  return product;
 }
 
 template <int Dim>

@@ -4,15 +4,13 @@
 #include <geodrop/grid/grid.hpp>
 #include <geodrop/state/state.hpp>
 
-#include <Eigen/SparseCore>
-
 #include <array>
 #include <utility>
 #include <vector>
 
-namespace geodrop {
+#include "sparse_product.hpp"
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+namespace geodrop {
 
 /// A vector at a node.
 template <int Dim>
@@ -79,8 +77,7 @@ class Columns {
     std::array<bool, Dim> fixed;  ///< components that a wall holds
   };
 
-  explicit Columns(const Grids<Dim>& grids)
-      : grids_(grids), number_(grids.size(), std::vector<int>(grids.front().layout.nodes(), -1)) {}
+  explicit Columns(const Grids<Dim>& grids);
 
   /// Number of the first of the columns of a node that has mass.
   int of(int field, int node);
@@ -88,7 +85,8 @@ class Columns {
 
  private:
   const Grids<Dim>& grids_;
-  std::vector<std::vector<int>> number_;  ///< by field and node
+  std::array<int, Dim> first_{}, count_{};  ///< stored nodes that rows may reach: around the outlines
+  std::vector<std::vector<int>> number_;    ///< by field and node of that box
   std::vector<Place> places_;
 };
 
@@ -139,9 +137,6 @@ class Rows {
   std::vector<Entry> entries_;
   std::vector<std::size_t> row_begin_{0};
 };
-
-/// A B^T, row by row in parallel; each sum in the order of the columns.
-SparseRows times_transpose(const SparseRows& A, const SparseRows& B);
 
 /// v -= dt M^-1 E^T p.
 template <int Dim>

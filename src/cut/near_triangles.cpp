@@ -59,8 +59,10 @@ void NearTriangles::look_at(const Plate& plate, const Vec<3>& x, Nearest& neares
   constexpr double alike = 1e-9;  // of distances to one point
   const double height = plate.normal.dot(x - plate.middle), farthest = (1 + alike) * nearest.distance;
   if (std::abs(height) > farthest) return;
-  const double reach = farthest + plate.radius;
-  if ((x - plate.middle).squaredNorm() > reach * reach) return;
+  // Along the plane the triangle ends within its radius.
+  const double square = (x - plate.middle).squaredNorm() - height * height;
+  const double beyond = std::sqrt(std::max(0.0, square)) - plate.radius;
+  if (beyond > 0 && height * height + beyond * beyond > farthest * farthest) return;
   const Vec<3> point = nearest_point(corners_of(plate.triangle), x);
   const double distance = (x - point).norm();
   if (distance > farthest) return;

@@ -124,7 +124,7 @@ TEST_CASE("Line integrals of N n add up to the normals of a stretch, those of N 
 
 TEST_CASE("Walls hold the normal component of their nodes, no-slip walls both") {
   for (const WallKind wall : {WallKind::slip, WallKind::no_slip}) {
-    SharpBox box({}, Sense::anticlockwise, wall);
+    SharpBox box({0.75, 11.25, 0.75, 11.25}, Sense::anticlockwise, wall);
     for (Grid<2>& grid : box.grids) box.set_mass(grid, 4.0);
     Columns<2> columns(box.grids);
     const bool sticks = wall == WallKind::no_slip;
@@ -235,4 +235,8 @@ TEST_CASE("A B^T, entry by entry") {
   const Eigen::MatrixXd product = times_transpose(A, B);
   const Eigen::MatrixXd expected{{-5, 6, 0}, {0, 2, 0}};
   CHECK((product - expected).norm() < 1e-15);
+  const Eigen::MatrixXd square = times_transpose(A, A), both{{5, 0}, {0, 16}};
+  CHECK((square - both).norm() < 1e-15);
+  const SparseRows C = B * A.transpose();
+  CHECK((Eigen::MatrixXd(times_transpose(C, C)) - Eigen::MatrixXd(C * C.transpose())).norm() < 1e-13);
 }
