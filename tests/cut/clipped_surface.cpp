@@ -26,9 +26,6 @@ ClippedSurface clipped(const GridLayout<3>& layout, const TriangleSurface& surfa
   return cells;
 }
 
-/// Two discs a third of a cell apart, within one layer of cells, that meet at a rim.
-TriangleSurface flat_bag() { return disc_pillow_surface({0.02, 0.03, 0.01}, 1.1, 0.08, 0.12); }
-
 }  // namespace
 
 TEST_CASE("Shares and faces are those of clipped cells") {

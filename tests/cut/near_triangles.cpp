@@ -57,3 +57,18 @@ TEST_CASE("Points on the right side stay, others go to the nearest point of the 
   CHECK(stayed > 300);
   CHECK(moved == stayed);
 }
+
+TEST_CASE("Beside a thin bag the nearer of its sides tells, not the farther one") {
+  const GridLayout<3> layout = small_grid(0.25);
+  const Membrane<3> membrane = membrane_of(flat_bag());
+  ClippedSurface cells;
+  clip_surface(layout, membrane, cells);
+  const NearTriangles near_by(layout, membrane, cells);
+  for (double x = -0.5; x < 0.5; x += 0.07)
+    for (const double z : {-0.15, -0.11, 0.13, 0.17}) {
+      const Vec<3> outside(x, 0.3 * x, z), inside(x, 0.3 * x, 0.01);
+      CHECK(near_by.on_side(outside, false) == outside);
+      CHECK(near_by.on_side(inside, true) == inside);
+      CHECK(near_by.on_side(outside, true)[2] == within(0.01, 0.045));
+    }
+}

@@ -47,4 +47,7 @@ inline std::vector<TriangleSurface> surfaces() {
   return {ball, on_planes, torn};
 }
 
+/// Two discs a third of a cell apart, within one layer of cells, that meet at a rim.
+inline TriangleSurface flat_bag() { return disc_pillow_surface({0.02, 0.03, 0.01}, 1.1, 0.08, 0.12); }
+
 }  // namespace geodrop::test
