@@ -202,8 +202,8 @@ using SplineVolumes = std::array<double, nodes_around<Dim>>;
 template <int Dim>
 struct PartCell {
   int flat = 0;
-  int host = -1;  ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
-  Slope<Dim> slope{};              ///< over the part
+  int host = -1;       ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
+  Slope<Dim> slope{};  ///< over the part
   SplineVolumes<Dim> elsewhere{};  ///< over the rest of the cell
 };
 
