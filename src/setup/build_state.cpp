@@ -12,7 +12,6 @@
 #include <geodrop/solutions/exact.hpp>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "boundary/silent_side.hpp"
@@ -21,6 +20,7 @@
 #include "contact/space_contact.hpp"
 #include "contact/surface_contact.hpp"
 #include "fill_particles.hpp"
+#include "initial_velocity.hpp"
 #include "measure/probes/probes.hpp"
 #include "membrane/membrane_nodes.hpp"
 #include "membrane/tension_gauge.hpp"
@@ -37,44 +37,6 @@ template <int Dim>
 void allocate(Body<Dim>& body) {
   for_each_array<particle_role::every_body>(body, [&](Array<double>& values) { values.resize(body.J.size(), 0.0); });
   set_unstrained(body);
-}
-
-template <int Dim>
-void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
-  for (std::size_t p = 0; p < body.size(); ++p) {
-    const Vec<Dim> x = vector_at(body.x, p);
-    const ExactPoint<Dim> exact = exact_point<Dim>(solution, x, x, 0);
-    for (int a = 0; a < Dim; ++a) body.v[a][p] = exact.velocity[a];
-    for (int c = 0; c < Dim * Dim; ++c) body.affine[c][p] = exact.velocity_gradient(c / Dim, c % Dim);
-  }
-}
-
-template <int Dim>
-void set_linear_velocity(const LinearVelocitySpec& linear, Body<Dim>& body) {
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b) {
-      const double rate = linear.gradient[a][b];
-      body.affine[a * Dim + b].assign(body.size(), rate);
-      for (std::size_t p = 0; p < body.size(); ++p) body.v[a][p] += rate * (body.x[b][p] - linear.centre[b]);
-    }
-}
-
-template <int Dim>
-void set_velocity(const Scene& scene, const InitialVelocity& initial, Body<Dim>& body) {
-  if (std::holds_alternative<FromExactSpec>(initial)) {
-    set_exact_velocity(exact_solution<Dim>(scene, body.name), body);
-  } else if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
-    for (int a = 0; a < Dim; ++a) body.v[a].assign(body.size(), uniform->value[a]);
-  } else if (const auto* linear = std::get_if<LinearVelocitySpec>(&initial)) {
-    set_linear_velocity(*linear, body);
-  } else if (const auto* bar = std::get_if<BarFirstModeSpec>(&initial)) {
-    const double k = std::numbers::pi / (2 * bar->length);
-    const auto& x = body.x[bar->axis];
-    for (std::size_t p = 0; p < body.size(); ++p) {
-      body.v[bar->axis][p] = bar->amplitude * std::sin(k * x[p]);
-      body.affine[bar->axis * Dim + bar->axis][p] = bar->amplitude * k * std::cos(k * x[p]);
-    }
-  }
 }
 
 /// A body of uniform stretch is filled unstrained: its lattice is stretched with it, so that it is out of step with the
@@ -116,7 +78,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   fill(scene, spec, body);
   allocate(body);
   set_initial_stress(scene, spec, body);
-  set_velocity(scene, spec.initial_velocity, body);
+  set_velocity(scene, spec, body);
   body.initial_x = body.x;
   return body;
 }
@@ -340,7 +302,9 @@ State<Dim> build_state(const Scene& scene) {
   for (const MembraneSpec& spec : scene.membranes) {
     if constexpr (Dim == 2) state.membranes.push_back(build_membrane(scene, spec));
     if constexpr (Dim == 3) state.membranes.push_back(build_surface(scene, spec));
-    state.membranes.back().field = field_of(state, state.membranes.back());
+    Membrane<Dim>& membrane = state.membranes.back();
+    membrane.field = field_of(state, membrane);
+    if (!membrane.body.empty()) set_velocity(scene, *find_body(scene, membrane.body), membrane);
   }
   add_contacts(scene, state);
   if (Dim == 3 && any_membrane_load(scene)) allocate_loads(state, [](const Membrane<Dim>&) { return true; });
