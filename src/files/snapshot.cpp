@@ -100,6 +100,8 @@ void append_triangles(const Membrane<3>& membrane, std::uint32_t index, Membrane
     out.fields[1].values.push_back(narrow(membrane.strain[t]));
     out.fields[2].values.push_back(membrane.strength > 0 ? narrow(share) : none);
     out.fields[3].values.push_back(narrow(triangles.cross_tension[t]));
+    if (out.fields.size() > 4)
+      out.fields[4].values.push_back(membrane.water_pressure.empty() ? none : narrow(membrane.water_pressure[t]));
     out.membrane.push_back(index);
   }
 }
@@ -150,6 +152,9 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
       snapshot.membranes.fields.push_back({name, {}, {}});
   } else {
     snapshot.membranes.fields.push_back({"cross_tension", {}, {}});
+    if (std::any_of(state.membranes.begin(), state.membranes.end(),
+                    [](const auto& membrane) { return membrane.sharp; }))
+      snapshot.membranes.fields.push_back({"water_pressure", {}, {}});
     snapshot.membranes.corners = 3;
   }
   for (std::size_t m = 0; m < state.membranes.size(); ++m) {

@@ -160,14 +160,6 @@ Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const S
   return membrane;
 }
 
-/// The body that a membrane in space encloses; "" if it is empty.
-std::string body_inside(const Scene& scene, const MembraneSpec& spec) {
-  for (const BodySpec& body : scene.bodies)
-    if (const auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == spec.name)
-      return body.name;
-  return "";
-}
-
 /// Corners, areas and edges at rest, (1 + slack) times what the cloth is cut out as.
 void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Membrane<3>& membrane) {
   const std::vector<Corner>& flat = surface.unstretched.empty() ? surface.points : surface.unstretched;
@@ -217,6 +209,8 @@ Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec, const St
   for (Array<double>* values : {&membrane.strain, &membrane.tension, &membrane.triangles.cross_tension})
     values->assign(triangles, 0.0);
   if (spec.axial_stiffness > 0) membrane.gauge.sums.assign(gauge_slots * triangles, 0.0);
+  membrane.sharp = spec.interface == Interface::sharp;
+  if (membrane.sharp) membrane.water_pressure.assign(triangles, 0.0);
   return membrane;
 }
 
