@@ -26,7 +26,7 @@ Row<2> interface_pressure_row(const Scene& scene) {
 
 Row<2> even_out_volumes_row(const Scene& scene) {
   return {"even_out_volumes", Data::cell_pressure | Data::cell_flags | Data::position, Data::volume_ratio,
-          has_sharp_interface(scene),
+          has_sharp_interface(scene) || scene.solver.even_out_volumes,
           [](State<2>& s, const Grids<2>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
 }
 

@@ -67,6 +67,7 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
            Mistake{"=1", "allowed: a key such as"},
            Mistake{"solver.couran=",
                    "found no such key to remove; allowed: one of \"blend_rate\", \"courant\", \"damping_rate\", "
+                   "\"even_out_volumes\", "
                    "\"transfer\"; the nearest is \"courant\""},
            Mistake{"grid.spacing=0.0005",
                    "found 5e-04, which is 400 million cells, about 74 GB of memory for the grid; allowed: at most 200 "

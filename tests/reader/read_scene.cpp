@@ -67,7 +67,7 @@ TEST_CASE("numerics as written") {
   CHECK(zone.at.line > 200);
   CHECK(scene.walls.lower == std::vector{WallKind::slip, WallKind::no_slip});  // left, bottom
   CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
-  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0});
+  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0, MassMatrix::lumped, true});
   CHECK(scene.time.end == 2.0);
   CHECK(scene.output == OutputSpec{0.1, 0.01, true});
   CHECK(scene.checkpoints == CheckpointSpec{60.0, 0.5});
@@ -131,7 +131,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 148);
+  CHECK(sea.at.line == 149);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
