@@ -3,6 +3,7 @@
 #include <geodrop/base/error.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -249,12 +250,15 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     const auto* fluid = std::get_if<Newtonian>(&body.material);
     if (!fluid || body.field == waiting || body.pressure != PressureSupport::cell) continue;
     const Grid<Dim>& grid = grids[body.field];
+    // Cavities close as they opened, whatever the pressure of the cell.
+    const double torn = fluid->cavitates() ? 1 / (1 - fluid->tension_cutoff / fluid->bulk_modulus)
+                                           : std::numeric_limits<double>::infinity();
     const double way = evening * wave_speed(body.material) * dt, share = way * grid.layout.inv_h;
     const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
       const int cell = cell_at(grid.layout, body, p);
-      if (!(grid.cell_flags[cell] & cell_filled)) continue;
+      if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= torn) continue;
       const double mean = 1 / (1 + grid.cell_pressure[cell] / fluid->bulk_modulus);
       const double here = grid.layout.graded() ? way / least_width(grid.layout, cell) : share;
       body.J[p] += here * (mean - body.J[p]);

@@ -29,7 +29,7 @@ Row<Dim> interface_pressure_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> even_out_volumes_row(const Scene& scene) {
   return {"even_out_volumes", Data::cell_pressure | Data::cell_flags | Data::position, Data::volume_ratio,
-          has_sharp_interface(scene),
+          has_sharp_interface(scene) || scene.solver.even_out_volumes,
           [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
 }
 

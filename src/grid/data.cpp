@@ -203,7 +203,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
       return hash.add(grid.rigid_cells, grid.rigid_splines);
     case Data::pore_space:
       hash.add(grid.grain_volume, grid.drag_resistance, grid.occupied, grid.pore_share, grid.grain_lightness,
-               grid.node_drag);
+               grid.node_drag, grid.inertial_resistance, grid.node_inertial_drag);
       return add_array(grid.mixture_velocity, hash);
     default:
       return add_cells_of_bodies(item, grid, hash);

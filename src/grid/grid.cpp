@@ -184,6 +184,11 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   want(grid_role::for_rigid, shift && any_contact_of(scene, ContactPair::Kind::body_on_rigid));
   want(grid_role::for_pores, any_body([](const BodySpec& b) { return !b.saturated_by.empty(); }));
   want(grid_role::for_pore_water, any_body([&](const BodySpec& b) { return saturates(scene, b.name); }));
+  want(grid_role::for_inertial_drag, any_body([&](const BodySpec& b) { return has_inertial_drag(scene, b); }));
+  want(grid_role::for_inertial_water, std::ranges::any_of(scene.bodies, [&](const BodySpec& soil) {
+         return has_inertial_drag(scene, soil) &&
+                any_body([&](const BodySpec& b) { return b.name == soil.saturated_by; });
+       }));
   for_each_field<any_role>(grid, [&]<class T>(const auto& entry, Array<T>& values) {
     if (entry.roles & wanted) values.assign(n, T{});
   });

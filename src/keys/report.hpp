@@ -23,6 +23,8 @@ class Report {
   void place(const std::string& key, SourceRef at) { places_[key] = at; }
   /// Where a key stands; if it does not stand in the file, where its table does.
   SourceRef where(std::string key) const;
+  /// Whether a key stands in the file (or --set), not only its default.
+  bool is_given(const std::string& key) const { return places_.contains(key); }
 
   /// The full keys of the elements of a list of tables, e.g. "bodies.water", in order.
   void add_element(const std::string& list, const std::string& key) { elements_[list].push_back(key); }

@@ -1,6 +1,7 @@
 // All constitutive laws, for the kernels: each is a pure function of one point (R = double) or one packet of points.
 #pragma once
 
+#include "critical_state.hpp"
 #include "linear_elastic.hpp"
 #include "mohr_coulomb.hpp"
 #include "neo_hookean.hpp"

@@ -36,8 +36,8 @@ template <class R>
 
 /// Change that brings `trial` back to the yield surface; exactly zero where it does not yield. Tells whether any lane
 /// yields.
-template <class R>
-[[gnu::always_inline]] inline bool plastic_correction(const YieldSurface& surface, const AxisStress<R>& trial,
+template <class S, class R>
+[[gnu::always_inline]] inline bool plastic_correction(const YieldSurface<S>& surface, const AxisStress<R>& trial,
                                                       AxisChange<R>& change) {
   const R inverse_radius = 1.0 / trial.radius;  // here, so that it runs beside the return
   const R high = trial.centre + trial.radius, low = trial.centre - trial.radius, z = trial.axis;
@@ -57,13 +57,13 @@ template <class R>
   return true;
 }
 
-template <class R>
-[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, Stress<2, R>& stress) {
+template <class S, class R>
+[[gnu::always_inline]] inline void return_stress(const YieldSurface<S>& surface, Stress<2, R>& stress) {
   const R centre = 0.5 * (stress[0] + stress[1]);
   const R half_difference = 0.5 * (stress[0] - stress[1]);
   const R radius = radius_of<R>(half_difference * half_difference + stress[3] * stress[3]);
   AxisChange<R> change;
-  if (!plastic_correction<R>(surface, {centre, radius, stress[2]}, change)) return;
+  if (!plastic_correction(surface, AxisStress<R>{centre, radius, stress[2]}, change)) return;
   stress[0] += change.centre + change.ratio * half_difference;
   stress[1] += change.centre - change.ratio * half_difference;
   stress[2] += change.axis;
@@ -71,8 +71,8 @@ template <class R>
 }
 
 /// The change is found in the principal frame and added outside, so that an elastic stress keeps every bit.
-template <class R>
-[[gnu::always_inline]] inline void return_stress(const YieldSurface& surface, Stress<3, R>& stress) {
+template <class S, class R>
+[[gnu::always_inline]] inline void return_stress(const YieldSurface<S>& surface, Stress<3, R>& stress) {
   constexpr double third = 1.0 / 3.0;
   const R mean = third * (stress[0] + stress[1] + stress[2]);
   const Stress<3, R> s{stress[0] - mean, stress[1] - mean, stress[2] - mean, stress[3], stress[4], stress[5]};
@@ -86,7 +86,7 @@ template <class R>
   for (int k = 0; k < 6; ++k) plane[k] = (k < 3 ? s[k] + half : s[k]) - 3.0 * half * axis.dyad[k];
   const R radius = radius_of<R>(0.5 * norm_squared<3, R>(plane));
   AxisChange<R> change;
-  if (!plastic_correction<R>(surface, {mean - half, radius, mean + axis.eigenvalue}, change)) return;
+  if (!plastic_correction(surface, AxisStress<R>{mean - half, radius, mean + axis.eigenvalue}, change)) return;
   const R along = change.axis - change.centre;
 #pragma GCC unroll 6
   for (int k = 0; k < 6; ++k) {
@@ -96,19 +96,27 @@ template <class R>
 }
 
 /// Advances the effective Cauchy stress [Pa] by one step and returns sqrt(2/3 de:de) of the deviatoric strain
-/// increment de, elastic and plastic together [-]. Strain as in the linear elastic law. Hand over a local copy of
-/// the law: behind a reference that stores might alias, its constants are recomputed for each packet.
-template <int Dim, class R>
-[[gnu::always_inline]] inline R update_stress(const MohrCoulomb& law, const std::array<R, std::size_t{Dim * Dim}>& dL,
-                                              const R& dvol,
+/// increment de, elastic and plastic together [-]. Strain as in the linear elastic law.
+template <int Dim, class S, class R>
+[[gnu::always_inline]] inline R update_stress(const MohrCoulomb& law, const YieldSurface<S>& surface,
+                                              const std::array<R, std::size_t{Dim * Dim}>& dL, const R& dvol,
                                               std::array<R, std::size_t{stress_components<Dim>}>& stress) {
   const Stress<Dim, R> deviatoric = deviator<Dim, R>(dL);
   constexpr double two_thirds = 2.0 / 3.0;
   const R strain = sqrt(two_thirds * norm_squared<Dim, R>(deviatoric));
   rotate(dL, stress);
   add_elastic<Dim, R>(law, deviatoric, dvol, stress);
-  return_stress(YieldSurface(law), stress);
+  return_stress(surface, stress);
   return strain;
+}
+
+/// The same with the angles of the law. Hand over a local copy of the law: behind a reference that stores might alias,
+/// its constants are recomputed for each packet.
+template <int Dim, class R>
+[[gnu::always_inline]] inline R update_stress(const MohrCoulomb& law, const std::array<R, std::size_t{Dim * Dim}>& dL,
+                                              const R& dvol,
+                                              std::array<R, std::size_t{stress_components<Dim>}>& stress) {
+  return update_stress<Dim>(law, YieldSurface(law), dL, dvol, stress);
 }
 
 template <int Dim, class R>

@@ -30,46 +30,59 @@ template <class R, class Mask>
   return {select(mask, yes.first, no.first), select(mask, yes.second, no.second), select(mask, yes.third, no.third)};
 }
 
-/// What the return needs of a material; loop-invariant, so the compiler moves it out of the loop over points.
-struct YieldSurface {
-  double lambda, shear;           ///< Lame's constants [Pa]
-  double plus_phi, minus_phi;     ///< 1 + sin(phi), 1 - sin(phi)
-  double plus_psi, minus_psi;     ///< 1 + sin(psi), 1 - sin(psi)
-  double strength;                ///< k = 2 c cos(phi) [Pa]
-  double cutoff;                  ///< t [Pa]
-  double meeting;                 ///< m, s3 where f_13 = 0 and s1 = t [Pa]
-  double flow_first, flow_third;  ///< D : flow of g_13, first and third component [Pa]
-  double flow_volume;             ///< its second component, 2 lambda sin(psi) [Pa]
-  double stiffness;               ///< f_13 : D : g_13 [Pa]
-  double compression_edge;        ///< f_13 : D : g_12, s2 = s3 [Pa]
-  double extension_edge;          ///< f_13 : D : g_23, s1 = s2 [Pa]
-
-  [[gnu::always_inline]] explicit YieldSurface(const MohrCoulomb& soil)
-      : lambda(soil.bulk_modulus - 2.0 / 3.0 * soil.shear_modulus),
-        shear(soil.shear_modulus),
-        plus_phi(1.0 + soil.sin_phi),
-        minus_phi(1.0 - soil.sin_phi),
-        plus_psi(1.0 + soil.sin_psi),
-        minus_psi(1.0 - soil.sin_psi),
-        strength(2.0 * soil.cohesion * soil.cos_phi),
-        cutoff(soil.tension_cutoff),
-        meeting((plus_phi * cutoff - strength) / minus_phi),
-        flow_first(2.0 * lambda * soil.sin_psi + 2.0 * shear * plus_psi),
-        flow_third(2.0 * lambda * soil.sin_psi - 2.0 * shear * minus_psi),
-        flow_volume(2.0 * lambda * soil.sin_psi),
-        stiffness(4.0 * lambda * soil.sin_phi * soil.sin_psi + 4.0 * shear * (1.0 + soil.sin_phi * soil.sin_psi)),
-        compression_edge(4.0 * lambda * soil.sin_phi * soil.sin_psi + 2.0 * shear * plus_phi * plus_psi),
-        extension_edge(4.0 * lambda * soil.sin_phi * soil.sin_psi + 2.0 * shear * minus_phi * minus_psi) {}
+/// Angles of friction and dilatancy: of a material, or of each point (S a packet).
+template <class S>
+struct FlowAngles {
+  S sin_phi, cos_phi, sin_psi;
 };
 
+/// What the return needs of a material; loop-invariant if S is double, so the compiler moves it out of the loop over
+/// points.
+template <class S>
+struct YieldSurface {
+  double lambda, shear;      ///< Lame's constants [Pa]
+  S plus_phi, minus_phi;     ///< 1 + sin(phi), 1 - sin(phi)
+  S plus_psi, minus_psi;     ///< 1 + sin(psi), 1 - sin(psi)
+  S strength;                ///< k = 2 c cos(phi) [Pa]
+  S cutoff;                  ///< t [Pa]
+  S meeting;                 ///< m, s3 where f_13 = 0 and s1 = t [Pa]
+  S flow_first, flow_third;  ///< D : flow of g_13, first and third component [Pa]
+  S flow_volume;             ///< its second component, 2 lambda sin(psi) [Pa]
+  S stiffness;               ///< f_13 : D : g_13 [Pa]
+  S compression_edge;        ///< f_13 : D : g_12, s2 = s3 [Pa]
+  S extension_edge;          ///< f_13 : D : g_23, s1 = s2 [Pa]
+
+  [[gnu::always_inline]] explicit YieldSurface(const MohrCoulomb& soil)
+      : YieldSurface(soil, {soil.sin_phi, soil.cos_phi, soil.sin_psi}, soil.tension_cutoff) {}
+
+  [[gnu::always_inline]] YieldSurface(const MohrCoulomb& soil, const FlowAngles<S>& angles, const S& tension)
+      : lambda(soil.bulk_modulus - 2.0 / 3.0 * soil.shear_modulus),
+        shear(soil.shear_modulus),
+        plus_phi(1.0 + angles.sin_phi),
+        minus_phi(1.0 - angles.sin_phi),
+        plus_psi(1.0 + angles.sin_psi),
+        minus_psi(1.0 - angles.sin_psi),
+        strength(2.0 * soil.cohesion * angles.cos_phi),
+        cutoff(tension),
+        meeting((plus_phi * cutoff - strength) / minus_phi),
+        flow_first(2.0 * lambda * angles.sin_psi + 2.0 * shear * plus_psi),
+        flow_third(2.0 * lambda * angles.sin_psi - 2.0 * shear * minus_psi),
+        flow_volume(2.0 * lambda * angles.sin_psi),
+        stiffness(4.0 * lambda * angles.sin_phi * angles.sin_psi +
+                  4.0 * shear * (1.0 + angles.sin_phi * angles.sin_psi)),
+        compression_edge(4.0 * lambda * angles.sin_phi * angles.sin_psi + 2.0 * shear * plus_phi * plus_psi),
+        extension_edge(4.0 * lambda * angles.sin_phi * angles.sin_psi + 2.0 * shear * minus_phi * minus_psi) {}
+};
+YieldSurface(const MohrCoulomb&)->YieldSurface<double>;
+
 /// f of a pair of principal stresses [Pa]; yielding where positive.
-template <class R>
-[[gnu::always_inline]] inline R shear_yield(const YieldSurface& surface, const R& high, const R& low) {
+template <class S, class R>
+[[gnu::always_inline]] inline R shear_yield(const YieldSurface<S>& surface, const R& high, const R& low) {
   return surface.plus_phi * high - surface.minus_phi * low - surface.strength;
 }
 
-template <class R>
-[[gnu::always_inline]] inline auto violates(const YieldSurface& surface, const Principal<R>& trial) {
+template <class S, class R>
+[[gnu::always_inline]] inline auto violates(const YieldSurface<S>& surface, const Principal<R>& trial) {
   return (shear_yield(surface, trial.first, trial.third) > 0.0) | (trial.first > surface.cutoff);
 }
 
@@ -78,11 +91,11 @@ template <class R>
 //
 // s1 and s3 are m + 2 p cos(alpha), m + 2 p cos(alpha + 2 pi / 3); f_13 = 2 sin(phi) m - k + 2 p (...), of which the
 // bracket is sqrt(3 + sin(phi)^2) at most, and s1 <= m + 2 p.
-template <class R>
-[[gnu::always_inline]] inline auto leaves_cone(const YieldSurface& y, const R& mean, const R& p2) {
+template <class S, class R>
+[[gnu::always_inline]] inline auto leaves_cone(const YieldSurface<S>& y, const R& mean, const R& p2) {
   constexpr double round_off = 1e-13;
-  const double twice_sine = y.plus_phi - y.minus_phi;
-  const double slope = (12.0 + twice_sine * twice_sine) * (1 + round_off);
+  const S twice_sine = y.plus_phi - y.minus_phi;
+  const S slope = (12.0 + twice_sine * twice_sine) * (1 + round_off);
   const R margin = round_off * abs(mean);
   const R shear_room = y.strength - twice_sine * mean - margin, tension_room = y.cutoff - mean - margin;
   const R room = min(shear_room, tension_room);
@@ -91,15 +104,15 @@ template <class R>
 }
 
 /// Returns where the cut-off is active: its plane, its edge, its line with the shear plane, its corners.
-template <class R>
-[[gnu::always_inline]] inline Principal<R> return_to_cutoff(const YieldSurface& y, const Principal<R>& trial) {
+template <class S, class R>
+[[gnu::always_inline]] inline Principal<R> return_to_cutoff(const YieldSurface<S>& y, const Principal<R>& trial) {
   const R t = y.cutoff, m = y.meeting;
   const auto& [x1, x2, x3] = trial;
 
   // Line s1 = t, s3 = m of g_13 and the cut-off; with s2 kept between its ends also where no multipliers exist, or
   // round-off denies them (soil that rests in the corner (t, m, m) and is sheared there).
   const double modulus = y.lambda + 2.0 * y.shear;
-  const double scale = 1.0 / (4.0 * y.shear * y.minus_psi * (y.lambda + y.shear));
+  const S scale = 1.0 / (4.0 * y.shear * y.minus_psi * (y.lambda + y.shear));
   const R shear_multiplier = (y.lambda * (x1 - t) - modulus * (x3 - m)) * scale;
   const R cutoff_multiplier = (y.flow_first * (x3 - m) - y.flow_third * (x1 - t)) * scale;
   const R line2 = x2 - y.flow_volume * shear_multiplier - y.lambda * cutoff_multiplier;
@@ -130,8 +143,8 @@ template <class R>
 }
 
 /// Edges of the pyramid where the return to its shear plane breaks the order of the stresses.
-template <class R>
-[[gnu::always_inline]] inline Principal<R> return_to_edges(const YieldSurface& y, const Principal<R>& trial,
+template <class S, class R>
+[[gnu::always_inline]] inline Principal<R> return_to_edges(const YieldSurface<S>& y, const Principal<R>& trial,
                                                            const R& f13, const Principal<R>& plane) {
   const auto& [x1, x2, x3] = trial;
   // Triaxial compression, s2 = s3: sum of the multipliers of g_13 and g_12.
@@ -152,8 +165,8 @@ template <class R>
 
 /// The stress on the yield surface that belongs to a sorted trial stress [Pa] outside of it; `outside` tells which
 /// lanes that holds for, the others get their trial stress back.
-template <class R, class Mask>
-[[gnu::always_inline]] inline Principal<R> return_to_yield(const YieldSurface& y, const Principal<R>& trial,
+template <class S, class R, class Mask>
+[[gnu::always_inline]] inline Principal<R> return_to_yield(const YieldSurface<S>& y, const Principal<R>& trial,
                                                            const Mask& outside) {
   const auto& [x1, x2, x3] = trial;
   const R f13 = shear_yield(y, x1, x3);

@@ -33,14 +33,28 @@ void for_each_pair(const std::vector<PoreSoil>& soils, F f) {
 }
 
 template <int Dim>
+int cell_of(const GridLayout<Dim>& layout, const Body<Dim>& body, std::size_t p) {
+  std::array<int, Dim> at;
+  for (int a = 0; a < Dim; ++a) at[a] = layout.base(a, body.x[a][p]);
+  return layout.index(at);
+}
+
+template <int Dim>
 void sum_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   for (std::size_t p = begin; p < end; ++p) {
-    std::array<int, Dim> at;
-    for (int a = 0; a < Dim; ++a) at[a] = grid.layout.base(a, body.x[a][p]);
-    const int cell = grid.layout.index(at);
+    const int cell = cell_of(grid.layout, body, p);
     const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
     grid.grain_volume[cell] += body.mass[p] / soil.grain_density;
     grid.drag_resistance[cell] += soil.resistance(n) * body.volume(p);
+  }
+}
+
+template <int Dim>
+void sum_inertial_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin,
+                        std::size_t end) {
+  for (std::size_t p = begin; p < end; ++p) {
+    const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
+    grid.inertial_resistance[cell_of(grid.layout, body, p)] += soil.inertial_resistance(n) * body.volume(p);
   }
 }
 
@@ -84,6 +98,45 @@ void weigh_nodes(const Grid<Dim>& grid, double grain_density, Grid<Dim>& around)
       around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(around, grid.drag_resistance, flat, node) : 0.0;
       const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
       around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
+    }
+  });
+}
+
+/// Forchheimer's drag at the nodes of the water.
+template <int Dim>
+void weigh_inertial_drag(const Grid<Dim>& grid, Grid<Dim>& around) {
+  for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
+    for (int flat = begin; flat < begin + count; ++flat, ++node[0])
+      around.node_inertial_drag[flat] =
+          std::pow(around.pore_share[flat], 3) * at_node<Dim>(around, grid.inertial_resistance, flat, node);
+  });
+}
+
+/// The drag c + b |w| with the w = v_w - v_s after the impulse, which solves (1 + dt L (c + b |w|)) |w| = |w before|, L
+/// the sum of both 1/m: no time step is too large for it.
+double implicit_drag(double c, double b, double dt_lightness, double speed) {
+  const double linear = 1 + dt_lightness * c;
+  const double after = 2 * speed / (linear + std::sqrt(linear * linear + 4 * dt_lightness * b * speed));
+  return c + b * after;
+}
+
+/// The drag between both new nodal velocities as an impulse and its opposite; drag(node, v_w - v_s) [N s/m].
+template <int Dim, class F>
+void exchange_impulses(double dt, Grid<Dim>& around, Grid<Dim>& grid, F drag) {
+  for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>&) {
+    for (int flat = begin; flat < begin + count; ++flat) {
+      const double of_water = around.sum[flat][3], of_soil = grid.sum[flat][3];
+      if (!(of_water > 0 && of_soil > 0 && around.node_drag[flat] > 0)) continue;
+      Vec4 impulse = around.velocity[flat] - grid.velocity[flat];
+      const double c = drag(flat, impulse);
+      impulse *= dt * c / (1 + dt * c * (1 / of_water + 1 / of_soil));
+      impulse[3] = 0;
+      const auto act = [&](Grid<Dim>& on, const Vec4& change) {
+        on.velocity[flat] += change;
+        if (!on.velocity_change.empty()) on.velocity_change[flat] += change;
+      };
+      act(around, -impulse / of_water);
+      act(grid, impulse / of_soil);
     }
   });
 }
@@ -149,6 +202,12 @@ double PoreSoil::resistance(double n) const {
   return water_unit_weight / (conductivity * kozeny(n) / kozeny(porosity));
 }
 
+double PoreSoil::inertial_resistance(double n) const {
+  if (law == CoupledSpec::Permeability::constant) return water_unit_weight * forchheimer;
+  const auto ergun = [](double of) { return (1 - of) / std::pow(of, 3); };
+  return water_unit_weight * forchheimer * (ergun(n) / ergun(porosity));
+}
+
 std::vector<PoreSoil> pore_soils(const Scene& scene) {
   const std::vector<int> fields = velocity_fields(scene);
   const auto number = [&](const std::string& name) {
@@ -164,7 +223,7 @@ std::vector<PoreSoil> pore_soils(const Scene& scene) {
     const CoupledSpec& pores = *soil.coupled();
     soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
                      pores.porosity, pores.hydraulic_conductivity, pores.permeability,
-                     water_unit_weight(scene, scene.bodies[water])});
+                     water_unit_weight(scene, scene.bodies[water]), pores.forchheimer_coefficient});
   }
   return soils;
 }
@@ -205,12 +264,16 @@ void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Gri
   for_each_pair(soils, [&](const PoreSoil& pair) {
     Grid<Dim>&grid = grids[pair.field], &around = grids[pair.water];
     for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
-      for (const PoreSoil& soil : soils)
-        if (&body == &state.bodies[soil.body]) sum_range(soil, body, grid, begin, end);
+      for (const PoreSoil& soil : soils) {
+        if (&body != &state.bodies[soil.body]) continue;
+        sum_range(soil, body, grid, begin, end);
+        if (soil.forchheimer > 0) sum_inertial_range(soil, body, grid, begin, end);
+      }
     });
     for_each_seam(grid.layout, [&](int axis) {
       sum_over_seam(grid.layout, axis, grid.grain_volume);
       sum_over_seam(grid.layout, axis, grid.drag_resistance);
+      if (!grid.inertial_resistance.empty()) sum_over_seam(grid.layout, axis, grid.inertial_resistance);
     });
     for_each_active_row(around, [&](int begin, int count, const auto&) {
       std::copy_n(grid.grain_volume.begin() + begin, count, around.occupied.begin() + begin);
@@ -223,6 +286,7 @@ void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Di
   for_each_pair(soils, [&](const PoreSoil& soil) {
     Grid<Dim>&grid = grids[soil.field], &around = grids[soil.water];
     weigh_nodes(grid, soil.grain_density, around);
+    if (!around.node_inertial_drag.empty()) weigh_inertial_drag(grid, around);
     if (around.largest_modulus > 0) soften_light_cells(around, dt);
     push_grains(grid, around);
     if constexpr (Dim == 2) push_beside_membrane(grid, around);
@@ -233,21 +297,17 @@ template <int Dim>
 void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
   for_each_pair(soils, [&](const PoreSoil& soil) {
     Grid<Dim>&around = grids[soil.water], &grid = grids[soil.field];
-    for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>&) {
-      for (int flat = begin; flat < begin + count; ++flat) {
-        const double of_water = around.sum[flat][3], of_soil = grid.sum[flat][3], c = around.node_drag[flat];
-        if (!(of_water > 0 && of_soil > 0 && c > 0)) continue;
-        Vec4 impulse = around.velocity[flat] - grid.velocity[flat];
-        impulse *= dt * c / (1 + dt * c * (1 / of_water + 1 / of_soil));
-        impulse[3] = 0;
-        const auto act = [&](Grid<Dim>& on, const Vec4& change) {
-          on.velocity[flat] += change;
-          if (!on.velocity_change.empty()) on.velocity_change[flat] += change;
-        };
-        act(around, -impulse / of_water);
-        act(grid, impulse / of_soil);
-      }
-    });
+    const auto of_darcy = [&](int node, const Vec4&) { return around.node_drag[node]; };
+    const auto of_forchheimer = [&](int node, const Vec4& w) {
+      double square = 0;
+      for (int a = 0; a < Dim; ++a) square += w[a] * w[a];
+      const double lightness = 1 / around.sum[node][3] + 1 / grid.sum[node][3];
+      return implicit_drag(around.node_drag[node], around.node_inertial_drag[node], dt * lightness, std::sqrt(square));
+    };
+    if (around.node_inertial_drag.empty())
+      exchange_impulses(dt, around, grid, of_darcy);
+    else
+      exchange_impulses(dt, around, grid, of_forchheimer);
     impose_wall_velocity(around);
     impose_wall_velocity(grid);
   });

@@ -11,6 +11,9 @@
 // The pressure p is that of the cells of the water. Its force on a node is divided by the node's porosity n_i; the rate
 // of a cell's water is the adjoint, from the velocity n_i v_w + (1 - n_i) v_s of the mixture. An even pressure so moves
 // nothing, wherever the porosity jumps. The drag R is implicit, node by node: the time step does not depend on k.
+//
+// With Forchheimer's term R += n^3 gamma_w b |v_w - v_s| (v_w - v_s) V, so that i = q / k + b q^2 of the flow
+// q = n (v_w - v_s); b = b0 ((1 - n) / n^3) / ((1 - n0) / n0^3) (Ergun 1952), unless constant.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
@@ -30,11 +33,14 @@ struct PoreSoil {
   double conductivity = 0;   ///< k0 [m/s]
   CoupledSpec::Permeability law{};
   double water_unit_weight = 0;  ///< gamma_w of Darcy's law [N/m3]
+  double forchheimer = 0;        ///< b0 [s2/m2]; 0: Darcy's law alone
 
   /// n of a particle that has the volume ratio J.
   double porosity_at(double J) const { return 1 - (1 - porosity) / J; }
   /// gamma_w / k: times n^2 the drag per volume and relative velocity [N s/m4].
   double resistance(double n) const;
+  /// gamma_w b: times n^3 the drag per volume and square of the relative velocity [N s2/m5].
+  double inertial_resistance(double n) const;
 };
 
 /// All of them.

@@ -50,6 +50,12 @@ bool any_pores(const Scene& scene) {
                      [](const BodySpec& body) { return !body.saturated_by.empty(); });
 }
 
+bool has_inertial_drag(const Scene& scene, const BodySpec& soil) {
+  const MaterialSpec* material = soil.saturated_by.empty() ? nullptr : find_material(scene, soil.material);
+  const auto* skeleton = material ? std::get_if<MohrCoulombSpec>(&material->model) : nullptr;
+  return skeleton && skeleton->coupled() && skeleton->coupled()->forchheimer_coefficient > 0;
+}
+
 bool saturates(const Scene& scene, const std::string& body) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
                      [&](const BodySpec& soil) { return soil.saturated_by == body; });

@@ -22,6 +22,8 @@ bool presses_out(const MembraneSpec& membrane);
 
 /// A coupled soil, whose pore water is a body of its own.
 bool any_pores(const Scene& scene);
+/// Whether its drag on pore water has Forchheimer's term.
+bool has_inertial_drag(const Scene& scene, const BodySpec& soil);
 /// Whether this body is the water in the pores of another.
 bool saturates(const Scene& scene, const std::string& body);
 

@@ -41,8 +41,10 @@ std::vector<Fact> state_facts(const Scene& scene, const State<Dim>& state) {
     memory += particle_bytes(body);
     facts.push_back({body.name + ".particles_count", static_cast<double>(body.size())});
     facts.push_back({body.name + ".wave_speed_m_s", wave_speed(body.material)});
-    if (std::holds_alternative<Newtonian>(body.material))
+    if (const auto* fluid = std::get_if<Newtonian>(&body.material)) {
       facts.push_back({body.name + ".density_rise_ratio", density_rise(body)});
+      if (fluid->cavitates()) facts.push_back({body.name + ".suction_limit_Pa", fluid->tension_cutoff});
+    }
     const MohrCoulomb* soil = soil_law(body.material);
     if (soil && soil->pore_stiffness > 0) facts.push_back({body.name + ".skempton_b_ratio", skempton_b(*soil)});
   }

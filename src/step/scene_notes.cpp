@@ -76,7 +76,7 @@ std::string drained_under_water(const Scene& scene, const BodySpec& body) {
 /// comparisons are without.
 std::string soil_that_swells(const Scene& scene, const BodySpec& body) {
   const auto* soil = std::get_if<MohrCoulombSpec>(&find_material(scene, body.material)->model);
-  if (!soil || soil->void_memory || soil->dilatancy_angle_deg != 0) return {};
+  if (!soil || soil->void_memory || soil->dilatancy_angle_deg != 0 || soil->critical_state) return {};
   for (const MembraneSpec& membrane : scene.membranes)
     if (membrane.body == body.name && membrane.closed && membrane.axial_stiffness > 0)
       return "soil of body \"" + body.name + "\" keeps the volume by which it opens inside membrane \"" +

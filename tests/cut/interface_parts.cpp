@@ -191,6 +191,10 @@ TEST_CASE("Volume ratios near their cell's mean by 0.1 c dt / h of the differenc
   };
   for (int p = 0; p < 2; ++p) CHECK(after()[p] == near(before[p] + share * (1 / 1.02 - before[p]), 1e-14));
   CHECK(after()[2] == before[2]);  // its cell is not filled
+  water.material = Newtonian{box_density, box_bulk_modulus, 0, 0, 0.005 * box_bulk_modulus};
+  CHECK(after()[0] == near(before[0] + share * (1 / 1.02 - before[0]), 1e-14));
+  CHECK(after()[1] == before[1]);  // torn beyond J = 1 / 0.995
+  water.material = Newtonian{box_density, box_bulk_modulus, 0};
   water.pressure = PressureSupport::particle;
   CHECK(after() == before);
   water.pressure = PressureSupport::cell;

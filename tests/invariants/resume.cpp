@@ -78,6 +78,11 @@ TEST_CASE("Water in the pores of a soil, pumped: stopped and resumed, the same h
                 {"bodies.soil.jitter=0.3", "output.history_interval=0.005", "time.end=0.05"}, "0.021");
 }
 
+TEST_CASE("Soil with a critical porosity that collapses in oil, drag of Forchheimer: stopped and resumed, the same") {
+  check_resumed("cases/verification/submerged_column_loose.toml",
+                {"bodies.column.jitter=0.2", "materials.beads.forchheimer_coefficient=1e3", "time.end=0.05"}, "0.021");
+}
+
 TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: stopped and resumed, the same") {
   // Stopped while the pump runs, springs of friction are stretched and a cycle of the relaxation is under way.
   check_resumed("tests/scenes/tube.toml", {"grid.spacing=0.2", "time.end=1.0"}, "0.031");

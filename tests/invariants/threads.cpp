@@ -98,6 +98,12 @@ TEST_CASE("Water in the pores of a soil, pumped: one hash for 1, 2, 3 and 5 thre
                  "bodies.free_water.shape.upper.0=1.6", "bodies.soil.jitter=0.3", "time.end=0.02"});
 }
 
+TEST_CASE("Soil with a critical porosity that collapses in oil, drag of Forchheimer: one hash") {
+  check_threads("cases/verification/submerged_column_loose.toml",
+                {"grid.spacing=0.003", "bodies.column.jitter=0.2", "materials.beads.forchheimer_coefficient=1e3",
+                 "time.end=0.02"});
+}
+
 TEST_CASE("Graded axes: one hash for 1, 2, 3 and 5 threads") {
   check_threads("cases/dump_kekerdom_mixture.toml",
                 {"grid.spacing=0.5", "time.end=0.05",

@@ -114,6 +114,30 @@ TEST_CASE("Drag without end joins both velocities, drag of Darcy slows them by h
   CHECK(run.water().velocity[inside][0] == near(run.soil().velocity[inside][0], 1e-12));
 }
 
+TEST_CASE("Forchheimer's drag solves its quadratic equation, keeps momentum and grows with the speed") {
+  Column run({"materials.soil.hydraulic_conductivity=1e-1", "materials.soil.forchheimer_coefficient=300"});
+  run.run_until("pore_drag");
+  const int inside = run.water().layout.index({2, 10});
+  // n^3 gamma_w b of a full cell of 0.05 m
+  CHECK(run.water().node_inertial_drag[inside] == near(0.064 * 9810 * 300 * 0.0025, 1e-4));
+  const double c = run.water().node_drag[inside], b = run.water().node_inertial_drag[inside];
+  const double lightness = 1 / run.water().sum[inside][3] + 1 / run.soil().sum[inside][3];
+  const auto speed = [&] {
+    const Vec4 w = run.water().velocity[inside] - run.soil().velocity[inside];
+    return std::hypot(w[0], w[1]);
+  };
+  for (const double faster : {1.0, 1e3}) {
+    for (Vec4& v : run.water().velocity) v *= faster;
+    const double before = speed();
+    const Vec4 momentum = run.momentum();
+    drag_pore_water(run.soils, run.step.dt, run.grids);
+    const Vec4 after = run.momentum();
+    for (int a = 0; a < 2; ++a) CHECK(after[a] == within(momentum[a], 1e-12 * std::hypot(momentum[0], momentum[1])));
+    // (1 + dt L (c + b w)) w = w before
+    CHECK((1 + run.step.dt * lightness * (c + b * speed())) * speed() == near(before, 1e-12));
+  }
+}
+
 TEST_CASE("An even pressure moves nothing where the porosity jumps") {
   Column run({"grid.upper=[0.2, 1.2]", "bodies.soil.initial_stress.pressure=0",
               "bodies.free_water.initial_stress={type='uniform',pressure=1000.0}"},
@@ -175,8 +199,12 @@ TEST_CASE("Conductivity follows the porosity as n^3 / (1 - n)^2, or stays; poros
   CHECK(soil.resistance(0.4) == near(9.81e6, 1e-14));
   // k/k0 = (0.125 / 0.25) / (0.064 / 0.36) = 2.8125
   CHECK(soil.resistance(0.5) == near(9.81e6 / 2.8125, 1e-14));
+  soil.forchheimer = 300;
+  // b/b0 = (0.5 / 0.125) / (0.6 / 0.064)
+  CHECK(soil.inertial_resistance(0.5) == near(9810 * 300 * 4 / 9.375, 1e-14));
   soil.law = CoupledSpec::Permeability::constant;
   CHECK(soil.resistance(0.5) == near(9.81e6, 1e-14));
+  CHECK(soil.inertial_resistance(0.5) == near(9810 * 300, 1e-14));
 }
 
 TEST_CASE("Consolidation by hand: c_v, the path of drainage and the time factor") {

@@ -33,7 +33,7 @@ TEST_CASE("the last of several wins; an empty value removes; a table can be made
   CHECK(read_scene(every_key, {"time.end=3", "time.end=4"}).time.end == 4);
   CHECK(read_scene(every_key,
                    {"materials.sand.density=9007199254740993", "materials.sand.youngs_modulus=9007199254740993"})
-            .materials.size() == 9);  // 2^53 + 1: no double, yet a number
+            .materials.size() == 10);  // 2^53 + 1: no double, yet a number
   CHECK(read_scene(every_key, {"solver.transfer=tpic", "solver.blend_rate="}).solver.transfer == Transfer::tpic);
   const Scene moving =
       read_scene(every_key, {"bodies.bag.initial_velocity.type=uniform", "bodies.bag.initial_velocity.value=[0, -2]"});
@@ -67,6 +67,7 @@ TEST_CASE("mistakes name the key, without a place in the file, and the nearest n
            Mistake{"=1", "allowed: a key such as"},
            Mistake{"solver.couran=",
                    "found no such key to remove; allowed: one of \"blend_rate\", \"courant\", \"damping_rate\", "
+                   "\"even_out_volumes\", "
                    "\"transfer\"; the nearest is \"courant\""},
            Mistake{"grid.spacing=0.0005",
                    "found 5e-04, which is 400 million cells, about 74 GB of memory for the grid; allowed: at most 200 "

@@ -67,7 +67,7 @@ TEST_CASE("numerics as written") {
   CHECK(zone.at.line > 200);
   CHECK(scene.walls.lower == std::vector{WallKind::slip, WallKind::no_slip});  // left, bottom
   CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
-  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0});
+  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0, MassMatrix::lumped, true});
   CHECK(scene.time.end == 2.0);
   CHECK(scene.output == OutputSpec{0.1, 0.01, true, {"velocity", "stress"}});
   CHECK(scene.checkpoints == CheckpointSpec{60.0, 0.5});
@@ -75,7 +75,7 @@ TEST_CASE("numerics as written") {
 
 TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.materials.size() == 9);
+  REQUIRE(scene.materials.size() == 10);
   CHECK(model_of<NewtonianSpec>(scene, "water") == NewtonianSpec{1000, 3.6e6, 1e-3});
   CHECK(model_of<NewtonianSpec>(scene, "oil").bulk_modulus == 1e9);
   CHECK(model_of<NewtonianSpec>(scene, "oil").tension_cutoff == 1e5);
@@ -131,7 +131,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 136);
+  CHECK(sea.at.line == 151);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -183,7 +183,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[2].roughness == 0.003);
   CHECK_FALSE(scene.membranes[1].closed);
   CHECK(scene.membranes[1].points == std::vector<Point>{{1, 8}, {3, 8}});
-  REQUIRE(scene.probes.size() == 9);
+  REQUIRE(scene.probes.size() == 10);
   CHECK(std::get<TracerSpec>(scene.probes[0].probe) == TracerSpec{"point", {5, 4.5}});
   const auto& still = std::get<HydrostaticProbeSpec>(scene.probes[1].probe);
   CHECK(still.name == "still");
@@ -197,6 +197,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(std::get<StressProbeSpec>(scene.probes[6].probe) == StressProbeSpec{"squeeze", "bed"});
   CHECK(std::get<FrontProbeSpec>(scene.probes[7].probe) == FrontProbeSpec{"heap", "bed", 0.02});
   CHECK(std::get<ExtremesProbeSpec>(scene.probes[8].probe) == ExtremesProbeSpec{"worst", "bed"});
+  CHECK(std::get<RegionProbeSpec>(scene.probes[9].probe) == RegionProbeSpec{"box", "water", {1, 1}, {2, 3}});
   REQUIRE(scene.stages.size() == 2);
   CHECK(scene.stages[0].damping_rate == 2);
   CHECK(scene.stages[0].damping_ramp == 0.01);

@@ -37,6 +37,37 @@ TEST_CASE("Coupled soil of k = 1 nm/s swings as undrained soil does") {
   CHECK(std::sqrt(square / count) < 0.01 * swing);
 }
 
+TEST_CASE("Water in the pores cavitates at its suction limit, and nowhere below") {
+  // A column thrown upwards off its wall: the suction that would hold it is some 100 kPa.
+  const auto least_pressure = [](const std::string& cutoff) {
+    const SceneRun run("cases/verification/terzaghi.toml",
+                       {"materials.water.tension_cutoff=" + cutoff, "time.end=0.02", "output.history_interval=0.0005",
+                        "bodies.soil.initial_stress={type='zero'}", "bodies.pore_water.initial_stress={type='zero'}",
+                        "bodies.soil.initial_velocity={type='uniform',value=[0.0,1.0]}",
+                        "bodies.pore_water.initial_velocity={type='uniform',value=[0.0,1.0]}",
+                        "bodies.free_water.initial_velocity={type='uniform',value=[0.0,1.0]}",
+                        "probes=[{name='worst',type='extremes',body='pore_water'}]"});
+    const std::vector<double> least = run.column("worst.pressure_min_Pa");
+    return *std::min_element(least.begin(), least.end());
+  };
+  CHECK(least_pressure("inf") < -1e5);
+  CHECK(least_pressure("5e3") == -5e3);
+}
+
+TEST_CASE("A dense column under oil sucks and stays, a loose one raises the pressure and runs out") {
+  const std::string scene = "cases/verification/submerged_column_";
+  const SceneRun dense(scene + "dense.toml", {"time.end=0.5"}), loose(scene + "loose.toml", {"time.end=0.5"});
+  const std::vector<double> times = dense.column("time_s"), others = loose.column("time_s");
+  const std::vector<double> sucked = dense.column("base.pressure_mean_Pa"),
+                            raised = loose.column("base.pressure_mean_Pa");
+  const double still = sucked[0];
+  CHECK(raised[0] == near(still, 1e-12));
+  CHECK(at(times, sucked, 0.4) < still - 20);
+  CHECK(at(others, raised, 0.1) > still + 100);
+  CHECK(dense.column("heap.right_m").back() < 0.065);
+  CHECK(loose.column("heap.right_m").back() > 0.095);
+}
+
 TEST_CASE("Sand without cohesion rests below the critical gradient; above it rises with the rest of the flow") {
   const auto rise = [](const std::string& pump) {
     const SceneRun run(

@@ -210,21 +210,23 @@ struct PartCell {
 /// What a field of the grid takes part in, and what needs it.
 namespace grid_role {
 enum : unsigned {
-  zero_each_step = 1,     ///< before particles are summed
-  zero_asleep = 2,        ///< in a block that goes to sleep
-  folded = 4,             ///< ghosts of walls hand their sums on
-  velocity_like = 8,      ///< walls impose it
-  for_all = 16,           ///< every grid has it
-  for_light = 32,         ///< stresses apart from momentum, for nodes of small mass
-  for_change = 64,        ///< Transfer::blend and musl, mass_correction, relaxation
-  for_consistent = 128,   ///< MassMatrix::consistent
-  for_cells = 256,        ///< PressureSupport::cell, particles that shift
-  for_nodal = 512,        ///< PressureSupport::nodal
-  for_sharp = 1024,       ///< fields that meet at a sharp interface
-  for_rigid = 2048,       ///< particles that shift beside rigid bodies
-  for_moduli = 4096,      ///< cells of bodies that differ in rho c^2
-  for_pores = 8192,       ///< coupled soils
-  for_pore_water = 16384  ///< the fluid in their pores
+  zero_each_step = 1,         ///< before particles are summed
+  zero_asleep = 2,            ///< in a block that goes to sleep
+  folded = 4,                 ///< ghosts of walls hand their sums on
+  velocity_like = 8,          ///< walls impose it
+  for_all = 16,               ///< every grid has it
+  for_light = 32,             ///< stresses apart from momentum, for nodes of small mass
+  for_change = 64,            ///< Transfer::blend and musl, mass_correction, relaxation
+  for_consistent = 128,       ///< MassMatrix::consistent
+  for_cells = 256,            ///< PressureSupport::cell, particles that shift
+  for_nodal = 512,            ///< PressureSupport::nodal
+  for_sharp = 1024,           ///< fields that meet at a sharp interface
+  for_rigid = 2048,           ///< particles that shift beside rigid bodies
+  for_moduli = 4096,          ///< cells of bodies that differ in rho c^2
+  for_pores = 8192,           ///< coupled soils
+  for_pore_water = 16384,     ///< the fluid in their pores
+  for_inertial_drag = 32768,  ///< coupled soils with Forchheimer's drag
+  for_inertial_water = 65536  ///< the fluid in their pores
 };
 }  // namespace grid_role
 
@@ -254,14 +256,16 @@ struct GridFields {
   Array<double> rigid_splines;  ///< integral of the spline of each node over rigid bodies [m2]
 
   // See pores/pores. Of a soil's field:
-  Array<double> grain_volume;     ///< of a cell [m3]
-  Array<double> drag_resistance;  ///< sum gamma_w V_p / k of a cell [N s/m]
+  Array<double> grain_volume;         ///< of a cell [m3]
+  Array<double> drag_resistance;      ///< sum gamma_w V_p / k of a cell [N s/m]
+  Array<double> inertial_resistance;  ///< sum gamma_w V_p b of a cell, b of Forchheimer [N s2/m2]
   // Of the field of the water:
-  Array<double> occupied;         ///< volume of grains in a cell [m3]
-  Array<double> pore_share;       ///< n at the nodes: share of the pressure's force that acts on the water [-]
-  Array<double> grain_lightness;  ///< (1 - n)^2 / m_s at the nodes [1/kg]
-  Array<double> node_drag;        ///< n^2 drag_resistance at the nodes [N s/m]
-  Array<Vec4> mixture_velocity;   ///< n v_w + (1 - n) v_s [m/s]
+  Array<double> occupied;            ///< volume of grains in a cell [m3]
+  Array<double> pore_share;          ///< n at the nodes: share of the pressure's force that acts on the water [-]
+  Array<double> grain_lightness;     ///< (1 - n)^2 / m_s at the nodes [1/kg]
+  Array<double> node_drag;           ///< n^2 drag_resistance at the nodes [N s/m]
+  Array<double> node_inertial_drag;  ///< n^3 inertial_resistance at the nodes [N s2/m2]
+  Array<Vec4> mixture_velocity;      ///< n v_w + (1 - n) v_s [m/s]
 };
 
 inline constexpr auto grid_fields = [] {
@@ -286,10 +290,12 @@ inline constexpr auto grid_fields = [] {
                     field<for_rigid>("rigid_splines", "m2", &G::rigid_splines),
                     field<for_pores | summed>("grain_volume", "m3", &G::grain_volume),
                     field<for_pores | summed>("drag_resistance", "N s/m", &G::drag_resistance),
+                    field<for_inertial_drag | summed>("inertial_resistance", "N s2/m2", &G::inertial_resistance),
                     field<for_pore_water | zero_asleep>("occupied", "m3", &G::occupied),
                     field<for_pore_water | zero_asleep>("pore_share", "-", &G::pore_share),
                     field<for_pore_water | zero_asleep>("grain_lightness", "1/kg", &G::grain_lightness),
                     field<for_pore_water | zero_asleep>("node_drag", "N s/m", &G::node_drag),
+                    field<for_inertial_water | zero_asleep>("node_inertial_drag", "N s2/m2", &G::node_inertial_drag),
                     field<for_pore_water | zero_asleep>("mixture_velocity", "m/s", &G::mixture_velocity)};
 }();
 

@@ -104,7 +104,15 @@ struct CoupledSpec {
   double porosity = 0;                ///< n0 at the start [-]
   double hydraulic_conductivity = 0;  ///< k0 at that porosity [m/s]
   enum class Permeability { kozeny_carman, constant } permeability = Permeability::kozeny_carman;
+  double forchheimer_coefficient = 0;  ///< b in i = q / k + b q^2 at that porosity [s2/m2]; 0: Darcy's law
   bool operator==(const CoupledSpec&) const = default;
+};
+/// Soil that dilates or contracts until it has its critical porosity, see materials/critical_state.
+struct CriticalStateSpec {
+  double porosity = 0;           ///< n0 at the start [-]
+  double critical_porosity = 0;  ///< n_c [-]
+  double dilatancy_slope = 0;    ///< K in tan(psi) = K (n_c - n) [-]
+  bool operator==(const CriticalStateSpec&) const = default;
 };
 /// Elastic, perfectly plastic Mohr-Coulomb in effective stress.
 struct MohrCoulombSpec {
@@ -118,6 +126,8 @@ struct MohrCoulombSpec {
   double tension_cutoff = 0;       ///< largest principal effective stress [Pa], at most c cot(phi)
   std::variant<std::monostate, UndrainedSpec, CoupledSpec> pores;  ///< none: drained
   bool void_memory = false;  ///< what opens at the cut-off closes again without stress
+  /// Dilatancy that follows the porosity, in the place of the angle; friction_angle_deg is that of the critical state.
+  std::optional<CriticalStateSpec> critical_state = {};
 
   /// Null if the soil is of another kind.
   const UndrainedSpec* undrained() const { return std::get_if<UndrainedSpec>(&pores); }
@@ -150,6 +160,15 @@ struct MohrCoulombWithVoids : MohrCoulomb {
   }
 };
 
+/// The same with tan(psi) = K (n_c - n), tan(phi) = tan(phi_c) + tan(psi), 1 - n = (1 - n0) / J; see
+/// materials/critical_state. The angles of the base are those of the critical state.
+struct CriticalStateSoil : MohrCoulomb {
+  double solid_fraction;     ///< 1 - n0 [-]
+  double critical_porosity;  ///< n_c [-]
+  double dilatancy_slope;    ///< K [-]
+  double tan_phi;            ///< of the critical state [-]
+};
+
 /// Compressible neo-Hookean solid: sigma = (mu / J) (F F^T - I) + (lambda ln J / J) I.
 struct NeoHookeanSpec {
   double density = 0;         ///< unstrained [kg/m3]
@@ -170,7 +189,8 @@ struct NeoHookean {
 };
 
 /// The list of laws. A checkpoint holds their numbers: new ones come last.
-using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids>;
+using Material =
+    std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids, CriticalStateSoil>;
 
 struct MaterialSpec {
   std::string name;

@@ -41,6 +41,7 @@ struct SolverSpec {
   double courant = 0.5;     ///< C of dt = C h / (c_eff + |v|max)
   double damping_rate = 0;  ///< mass-proportional damping of particle velocity [1/s]
   MassMatrix mass_matrix = MassMatrix::lumped;
+  bool even_out_volumes = false;  ///< of the fluids' particles in a cell, see step/step; always beside sharp membranes
   bool operator==(const SolverSpec&) const = default;
 };
 /// How a run comes to rest: kinetic damping until both ratios are met, see step/relaxation.

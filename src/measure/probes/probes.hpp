@@ -9,6 +9,7 @@
 #include "geotube_probe.hpp"
 #include "patch_probe.hpp"
 #include "pressure_probe.hpp"
+#include "region_probe.hpp"
 #include "section_probe.hpp"
 #include "span_probe.hpp"
 #include "stress_probe.hpp"
@@ -18,7 +19,7 @@ namespace geodrop {
 
 struct ProbeSpec {
   std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
-               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec, PatchProbeSpec>
+               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec, PatchProbeSpec, RegionProbeSpec>
       probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;

@@ -71,6 +71,9 @@ void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& wate
   if (soil.pressure != PressureSupport::particle)
     report.add(key + ".pressure", "the pressure of cells for a coupled soil in a sharp membrane",
                "\"particle\" there: its pore water has that of cells");
+  if (has_inertial_drag(scene, soil))
+    report.add("materials." + soil.material + ".forchheimer_coefficient",
+               "Forchheimer's drag for \"" + soil.name + "\" in a sharp membrane", "0 there: Darcy's law");
   const bool covers = water.shape == soil.shape && water.minus == soil.minus;
   const auto soils = std::count_if(scene.bodies.begin(), scene.bodies.end(),
                                    [&](const BodySpec& other) { return other.saturated_by == water.name; });
@@ -78,6 +81,15 @@ void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& wate
     report.add(key + ".saturated_by",
                '"' + water.name + (covers ? "\", which fills the pores of another soil, too" : "\" of another shape"),
                "a body of water of its own for a soil in a sharp membrane, of the same shape and minus");
+}
+
+/// Suction holds soil that dilates together, until water cavitates: the scene has to say where it does.
+void check_suction(const Scene& scene, const BodySpec& soil, const BodySpec& water, Report& report) {
+  const auto& skeleton = std::get<MohrCoulombSpec>(find_material(scene, soil.material)->model);
+  const std::string key = "materials." + water.material + ".tension_cutoff";
+  if (!skeleton.critical_state || report.is_given(key)) return;
+  report.add(key, "nothing, for the water in the pores of \"" + soil.name + "\", which dilates",
+             "the largest suction: 1e5 Pa under the atmosphere (absolute zero), or inf: the water never cavitates");
 }
 
 /// A coupled soil has a body of water in its pores, and nothing else has.
@@ -95,6 +107,7 @@ void check_pores(const Scene& scene, const BodySpec& body, const std::string& ke
                  "a body with pressure = \"cell\"");
     if (is_simplex(scene.grid.basis))
       report.add(key + ".saturated_by", "on a grid of simplices", "a coupled soil with another basis");
+    check_suction(scene, body, water, report);
     return check_bagged(scene, body, water, key, report);
   }
   report.add(

@@ -13,6 +13,25 @@ constexpr double kRounding = 1e-9;
 
 double cot_deg(double angle_deg) { return 1 / std::tan(angle_deg * std::numbers::pi / 180); }
 
+/// A soil looser than any packing has no friction; and softening that is faster than elastic unloading has no return:
+/// plastic flow keeps its direction where 1 + (1 + lambda / G) sin(phi) sin(psi) > 0. The least value of the product is
+/// that of tan(psi) = -tan(phi_c) / 2; half of the limit keeps the edges of the yield surface away from it, too.
+void check_critical_state(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
+  if (!soil.critical_state || !report.healthy(key)) return;
+  const CriticalStateSpec& state = *soil.critical_state;
+  const double tangent = 1 / cot_deg(soil.friction_angle_deg);
+  const double loosest = state.critical_porosity + tangent / state.dilatancy_slope;
+  if (soil.void_memory)
+    report.add(key + ".void_memory", "true with critical_porosity",
+               "false: what opens there closes again by contraction");
+  if (state.porosity >= loosest)
+    report.add(key + ".porosity", to_text(state.porosity) + ", which leaves no friction",
+               "less than critical_porosity + tan(friction angle) / dilatancy_slope = " + to_text(loosest));
+  const double nu = soil.poissons_ratio, most = 1 / (2 + tangent * tangent);
+  if (nu > most)
+    report.add(key + ".poissons_ratio", to_text(nu), "at most " + to_text(most) + " for soil that contracts");
+}
+
 void check_plasticity(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
   const bool angles = report.healthy(key + ".friction_angle_deg") && report.healthy(key + ".dilatancy_angle_deg");
   if (angles && soil.dilatancy_angle_deg > soil.friction_angle_deg) {
@@ -84,6 +103,7 @@ void check_materials(const Scene& scene, Report& report) {
     const auto* soil = std::get_if<MohrCoulombSpec>(&material.model);
     if (!soil) continue;
     check_plasticity(*soil, "materials." + material.name, report);
+    check_critical_state(*soil, "materials." + material.name, report);
     check_pore_fluid(*soil, "materials." + material.name, report);
   }
 }

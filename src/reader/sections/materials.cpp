@@ -18,6 +18,7 @@ void derive_mixture(MaterialSpec& material, const toml::table& written) {
   if (written.contains("grain_density"))  // without a saturation, of a coupled soil, the skeleton alone
     soil->density =
         mixture_density({value("grain_density"), value("porosity"), value("saturation"), value("fluid_density")});
+  if (soil->critical_state) soil->critical_state->porosity = value("porosity");
   auto* undrained = std::get_if<UndrainedSpec>(&soil->pores);
   if (!undrained || !written.contains("saturation")) return;
   undrained->saturation = value("saturation");
@@ -45,8 +46,8 @@ SectionOf<MaterialSpec> materials_section() {
       key("youngs_modulus", Either(&LinearElasticSpec::youngs_modulus, &MohrCoulombSpec::youngs_modulus, &NeoHookeanSpec::youngs_modulus), "Pa", required, positive, "Young's modulus (of the skeleton; neo_hookean: at small strain)").only("model=linear_elastic|mohr_coulomb|neo_hookean"),
       key("poissons_ratio", Either(&LinearElasticSpec::poissons_ratio, &MohrCoulombSpec::poissons_ratio, &NeoHookeanSpec::poissons_ratio), "", required, poisson, "Poisson's ratio (of the skeleton)").only("model=linear_elastic|mohr_coulomb|neo_hookean"),
       key("cohesion", &MohrCoulombSpec::cohesion, "Pa", required, not_negative, "c").only("model=mohr_coulomb"),
-      key("friction_angle_deg", &MohrCoulombSpec::friction_angle_deg, "degree", required, angle, "phi").only("model=mohr_coulomb"),
-      key("dilatancy_angle_deg", &MohrCoulombSpec::dilatancy_angle_deg, "degree", required, angle, "psi, at most phi").only("model=mohr_coulomb"),
+      key("friction_angle_deg", &MohrCoulombSpec::friction_angle_deg, "degree", required, angle, "phi; with critical_porosity that of the critical state").only("model=mohr_coulomb"),
+      key("dilatancy_angle_deg", &MohrCoulombSpec::dilatancy_angle_deg, "degree", instead_of("critical_porosity"), angle, "psi, at most phi").only("model=mohr_coulomb"),
       key("tension_cutoff", &MohrCoulombSpec::tension_cutoff, "Pa", required, not_negative, "largest principal effective stress, at most c cot(phi)").only("model=mohr_coulomb"),
       key("void_memory", &MohrCoulombSpec::void_memory, standard("false"), "the volume by which the soil opens at the apex or the tension cut-off is kept, and closes again without stress; to be used where soil is torn apart and falls together again (any bag that falls and lands), or it grows; with dilatancy_angle_deg = 0 only").only("model=mohr_coulomb"),
       key("drainage", &MohrCoulombSpec::pores, {{"drained", std::monostate{}}, {"undrained", UndrainedSpec{}}, {"coupled", CoupledSpec{}}}, required, "undrained: pore water moves with the skeleton; drained: there is none, so that under water the pressure of the water is part of the effective stress (`geodrop check` names such bodies and says by how much); coupled: pore water is a body of a fluid that flows through the skeleton (`saturated_by` of the body)").only("model=mohr_coulomb"),
@@ -54,11 +55,15 @@ SectionOf<MaterialSpec> materials_section() {
       key("porosity", [](MohrCoulombSpec& soil, double n) { std::get<CoupledSpec>(soil.pores).porosity = n; }, "", required, fraction, "n at the start; 1 - n = (1 - n0) / J goes with the skeleton").only("drainage=coupled"),
       key("hydraulic_conductivity", [](MohrCoulombSpec& soil, double k) { std::get<CoupledSpec>(soil.pores).hydraulic_conductivity = k; }, "m/s", required, positive, "k of Darcy's law at the porosity of the start").only("drainage=coupled"),
       key("permeability_law", [](MohrCoulombSpec& soil, CoupledSpec::Permeability law) { std::get<CoupledSpec>(soil.pores).permeability = law; }, {{"kozeny_carman", CoupledSpec::Permeability::kozeny_carman}, {"constant", CoupledSpec::Permeability::constant}}, standard("\"kozeny_carman\""), "how k follows the porosity: as n^3 / (1 - n)^2, or not at all").only("drainage=coupled"),
+      key("forchheimer_coefficient", [](MohrCoulombSpec& soil, double b) { std::get<CoupledSpec>(soil.pores).forchheimer_coefficient = b; }, "s2/m2", standard("0.0"), not_negative, "b in i = q / k + b q^2 at the porosity of the start, for fast flow through coarse soil; Ergun (1952): 1.75 (1 - n) / (g n^3 d); it follows the porosity as (1 - n) / n^3, unless permeability_law = \"constant\"; 0: Darcy's law. Not in a sharp membrane").only("drainage=coupled"),
       key.given("porosity", "", required, fraction, "n, for the density of the mixture").only("grain_density&drainage=drained"),
       key.given("saturation", "", required, share, "S, share of the pores that water fills (0: dry); the rest is gas").only("grain_density&drainage=drained|undrained"),
       key.given("saturation", "", instead_of("fluid_bulk_modulus"), share, "S, share of the pores that water fills; the rest is gas. The density is as given").only("density&drainage=undrained"),
       key.given("fluid_density", "kg/m3", required, positive, "rho_f of the water in the pores").only("grain_density&drainage=drained|undrained"),
       key("fluid_bulk_modulus", [](MohrCoulombSpec& soil, double modulus) { std::get<UndrainedSpec>(soil.pores).fluid_bulk_modulus = modulus; }, "Pa", instead_of("saturation"), positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton").only("density&drainage=undrained"),
+      key("critical_porosity", [](MohrCoulombSpec& soil, double n) { soil.critical_state.emplace().critical_porosity = n; }, "", instead_of("dilatancy_angle_deg"), fraction, "n_c, at which the soil is sheared without a change of volume: tan(psi) = dilatancy_slope (n_c - n), tan(phi) = tan(friction_angle) + tan(psi) >= 0 (Roux & Radjai 1998; Pailha & Pouliquen 2009), 1 - n = (1 - n0) / J; loose soil contracts and raises the pressure of the water in its pores, dense soil dilates and lowers it; not with void_memory").only("drainage=drained|coupled"),
+      key("dilatancy_slope", [](MohrCoulombSpec& soil, double slope) { soil.critical_state->dilatancy_slope = slope; }, "", required, positive, "K of critical_porosity; 4.09 for glass beads (Pailha & Pouliquen 2009)").only("critical_porosity"),
+      key.given("porosity", "", required, fraction, "n at the start, for critical_porosity").only("critical_porosity&density&drainage=drained"),
       key.given("water_bulk_modulus", "Pa", required, positive, "K_w of the water in the pores: 1 / K_f = S / K_w + (1 - S) / gas_pressure (Verruijt 1969)").only("saturation&drainage=undrained"),
       key.given("gas_pressure", "Pa", required, positive, "absolute pressure at which the gas has its share of the pores; K_f is that of small changes around it (isothermal, nothing dissolves) and stays").only("saturation&drainage=undrained"),
   }, derive_mixture};

@@ -33,6 +33,7 @@ SectionOf<SolverSpec> solver_section() {
       key("mass_matrix", &SolverSpec::mass_matrix, {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}}, standard("\"lumped\""), "lumped: nodes move by their own mass; consistent: corrected for lumping, which lowers the frequency of waves by about (k h)^2 / 8 (bspline2 and linear only)"),
       key("courant", &SolverSpec::courant, "", standard("0.5"), courant_range, "C in dt = C h / (c + v); bspline2 is stable up to 0.577 whatever the particles do (docs/step.md)").in(2),
       key("courant", &SolverSpec::courant, "", standard("0.45"), courant_range, "C in dt = C h / (c + v); bspline2 is stable up to 0.471 whatever the particles do (docs/step.md)").in(3),
+      key("even_out_volumes", &SolverSpec::even_out_volumes, standard("false"), "J of the particles of fluids moves towards the mean of their cell, at a tenth of the wave speed; beside sharp membranes always. For water that flows through soil by more than a cell: without it particles carry pressures from cell to cell as noise").in(2),
       key("damping_rate", &SolverSpec::damping_rate, "1/s", standard("0.0"), not_negative, "mass-proportional damping of particle velocity"),
   }};
 }
