@@ -170,10 +170,11 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
 #define GEODROP_INSTANTIATE(D)                                                  \
   template Array<double>& traction_of(Membrane<D>&, Says);                      \
   template double last_traction<D>(const Contact<D>&, const Outline<D>&, Says); \
-  template void forget_tractions(Membrane<D>&);                                 \
-  template std::vector<Contact<D>> find_contacts(State<D>&, const Grids<D>&);
+  template void forget_tractions(Membrane<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE
+template std::vector<Contact<2>> find_contacts(State<2>&, const Grids<2>&);
+template std::vector<Contact<3>> find_contacts(State<3>&, const Grids<3>&);
 
 }  // namespace geodrop
