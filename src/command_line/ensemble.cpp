@@ -18,7 +18,8 @@ void add_ensemble_options(CLI::App& command, EnsembleArguments& arguments) {
       .add_option(
           "--vary", arguments.vary,
           "KEY=LOW:HIGH, a key of the scene and its range, e.g. --vary bodies.container.shape.tilt_deg=2.0:10.0; "
-          "whole numbers are drawn whole")
+          "whole numbers are drawn whole; KEY=LOW:HIGH:log draws the logarithm evenly; KEY+KEY=... gives both the same "
+          "value")
       ->required()
       ->take_all()
       ->expected(1);

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "files/hash_file.hpp"
 #include "membrane/tension_gauge.hpp"
+#include "step/initial_state.hpp"
 #include "step/parts.hpp"
 #include "transfer/levels.hpp"
 
@@ -71,7 +72,7 @@ HashRow step_to(const HashRow& row, Pipeline<Dim>& pipeline, State<Dim>& state, 
 
 template <int Dim>
 Replay replay(const Scene& scene, const Recorded& recorded) {
-  State<Dim> state = build_state<Dim>(scene);
+  State<Dim> state = initial_state<Dim>(scene);
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   PartComparison parts(recorded.parts);

@@ -16,7 +16,9 @@ void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
   command
       .add_option("--vary", arguments.vary,
                   "a key of the scene and its values: KEY=FROM:TO:COUNT, KEY=FROM:TO:COUNT:log (equal factors) or "
-                  "KEY=A,B,C; several make all combinations. With --sample KEY=LOW:HIGH")
+                  "KEY=A,B,C; several make all combinations. With --sample KEY=LOW:HIGH, also with :log. KEY+KEY=... "
+                  "gives both "
+                  "the same value")
       ->required()
       ->take_all()
       ->expected(1);

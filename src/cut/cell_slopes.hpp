@@ -1,38 +1,43 @@
-// int grad N and int N over a cell and over the part of it that an outline cuts off, on knot spans of any width.
+// int grad N and int N over a cell and over the part of it that an outline cuts off; in the plane on knot spans of any
+// width.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
 
 #include <array>
+#include <cstddef>
 
+#include "cells_around.hpp"
+#include "clipped_cells.hpp"
 #include "cut_cells.hpp"
 #include "outline_pieces.hpp"
 
 namespace geodrop {
 
-/// Of the 3 x 3 nodes around a cell, x fastest [m].
-using Slope = std::array<std::array<double, 2>, 9>;
-
-/// The knot spans of a cell along x and y.
-using CellSpans = std::array<SpanShape, 2>;
-
-inline CellSpans spans_of(const GridLayout<2>& layout, int flat) {
-  return {span_of(layout, 0, flat), span_of(layout, 1, flat)};
-}
-
-inline Slope whole_cell(const CellSpans& cell) {
-  const auto [x_span, y_span] = cell;
-  const std::array<double, 3> value_x = x_span.values(), slope_x = x_span.slopes();
-  const std::array<double, 3> value_y = y_span.values(), slope_y = y_span.slopes();
-  Slope whole;
-  for (int y = 0; y < 3; ++y)
-    for (int x = 0; x < 3; ++x)
-      whole[x + 3 * y] = {y_span.width * slope_x[x] * value_y[y], x_span.width * value_x[x] * slope_y[y]};
+/// int grad N over a cell.
+template <std::size_t dim>
+Slope<dim> whole_cell(const std::array<SpanShape, dim>& cell) {
+  std::array<std::array<double, 3>, dim> value, slope;
+  for (std::size_t a = 0; a < dim; ++a) {
+    value[a] = cell[a].values();
+    slope[a] = cell[a].slopes();
+  }
+  Slope<dim> whole;
+  for (std::size_t n = 0; n < whole.size(); ++n) {
+    const std::array<std::size_t, 3> at{n % 3, n / 3 % 3, n / 9};
+    for (std::size_t a = 0; a < dim; ++a) {
+      double product = 1;
+      for (std::size_t b = 0; b < dim; ++b)
+        if (b != a) product *= cell[b].width;
+      for (std::size_t b = 0; b < dim; ++b) product *= (b == a ? slope : value)[b][at[b]];
+      whole[n][a] = product;
+    }
+  }
   return whole;
 }
 
 /// Adds int N n over the part of a face inside; the face is on the side `side` (0 below, 1 above) of the cell.
-inline void add_face(const FaceMoments& moments, int axis, int side, const CellSpans& cell, Slope& slope) {
+inline void add_face(const FaceMoments& moments, int axis, int side, const CellSpans<2>& cell, Slope<2>& slope) {
   const SpanShape &across = cell[axis], &face = cell[1 - axis];
   const std::array<double, 3> along = face_integrals(moments, face.below, face.above);
   const double sign = side == 1 ? 1 : -1, beyond = side == 1 ? across.above : across.below;
@@ -42,31 +47,64 @@ inline void add_face(const FaceMoments& moments, int axis, int side, const CellS
       slope[node][axis] += sign * (k == 1 ? 1 - beyond : beyond) * face.width * along[n];
     }
 }
+inline void add_face(const ClippedCells::FaceMoments& moments, int axis, int side, const CellSpans<3>& cell,
+                     Slope<3>& slope) {
+  constexpr std::array<int, 3> step{1, 3, 9};
+  const int u = (axis + 1) % 3, w = (axis + 2) % 3;
+  const std::array<double, 9> along = face_integrals(moments);
+  const double size = (side == 1 ? 0.5 : -0.5) * cell[u].width * cell[w].width;  // N across is 1/2 for both
+  for (int n = 0; n < 9; ++n)
+    for (const int k : {side, side + 1})
+      slope[k * step[axis] + n % 3 * step[u] + n / 3 * step[w]][axis] += size * along[n];
+}
 
 /// a_ic of a cut cell without what the membrane adds.
-inline Slope faces_of(const CutCells& cells, int c, const CellSpans& cell) {
-  Slope slope{};
+inline Slope<2> faces_of(const CutCells& cells, int c, const CellSpans<2>& cell) {
+  Slope<2> slope{};
   add_face(cells.right_face[c], 0, 1, cell, slope);
   add_face(cells.right_face[c - 1], 0, 0, cell, slope);
   add_face(cells.top_face[c], 1, 1, cell, slope);
   add_face(cells.top_face[c - cells.count[0]], 1, 0, cell, slope);
   return slope;
 }
+inline Slope<3> faces_of(const ClippedCells& cells, int c, const CellSpans<3>& cell) {
+  const std::array<int, 3> stride{1, cells.count[0], cells.count[0] * cells.count[1]};
+  Slope<3> slope{};
+  for (int a = 0; a < 3; ++a) {
+    add_face(cells.upper_face[a][c], a, 1, cell, slope);
+    add_face(cells.upper_face[a][c - stride[a]], a, 0, cell, slope);
+  }
+  return slope;
+}
 
-/// int N over a cell [m2].
-inline std::array<double, 9> whole_value(const CellSpans& cell) {
-  const std::array<double, 3> x = cell[0].values(), y = cell[1].values();
-  std::array<double, 9> value;
-  for (int n = 0; n < 9; ++n) value[n] = cell[0].width * x[n % 3] * cell[1].width * y[n / 3];
+/// int N over a cell.
+template <std::size_t dim>
+SplineVolumes<dim> whole_value(const std::array<SpanShape, dim>& cell) {
+  std::array<std::array<double, 3>, dim> along;
+  for (std::size_t a = 0; a < dim; ++a) along[a] = cell[a].values();
+  SplineVolumes<dim> value;
+  for (std::size_t n = 0; n < value.size(); ++n) {
+    const std::array<std::size_t, 3> at{n % 3, n / 3 % 3, n / 9};
+    value[n] = cell[0].width * along[0][at[0]];
+    for (std::size_t a = 1; a < dim; ++a) value[n] = value[n] * cell[a].width * along[a][at[a]];
+  }
   return value;
 }
 
-/// int N over the part of a cell inside without what the membrane adds, by Green's theorem [m2].
-inline std::array<double, 9> beside_right_face(const CutCells& cells, int c, const CellSpans& cell) {
+/// int N over the part of a cell inside without what the membrane adds, by the divergence theorem along x.
+inline SplineVolumes<2> beside_right_face(const CutCells& cells, int c, const CellSpans<2>& cell) {
   const std::array<double, 3> x = cell[0].values();
   const std::array<double, 3> along = face_integrals(cells.right_face[c], cell[1].below, cell[1].above);
-  std::array<double, 9> value;
+  SplineVolumes<2> value;
   for (int n = 0; n < 9; ++n) value[n] = cell[0].width * x[n % 3] * cell[1].width * along[n / 3];
+  return value;
+}
+inline SplineVolumes<3> beside_right_face(const ClippedCells& cells, int c, const CellSpans<3>& cell) {
+  const std::array<double, 3> x = cell[0].values();
+  const std::array<double, 9> along = face_integrals(cells.upper_face[0][c]);
+  const double size = cell[0].width * cell[1].width * cell[2].width;
+  SplineVolumes<3> value;
+  for (int n = 0; n < 27; ++n) value[n] = size * x[n % 3] * along[n / 3];
   return value;
 }
 

@@ -32,6 +32,9 @@ inline int flat_of(const GridLayout<3>& layout, const ClippedCells& cells, int c
   return cells.first[0] + i + (cells.first[1] + j) * layout.stride[1] + (cells.first[2] + k) * layout.stride[2];
 }
 
+/// Coefficients of 1, z, z^2 of the splines of the nodes below, at and above a cell; z from -1/2 to 1/2.
+inline constexpr double spline_powers[3][3] = {{0.125, -0.5, 0.5}, {0.75, 0, -1}, {0.125, 0.5, 0.5}};
+
 /// int N over the part of a face inside, for the 3 x 3 nodes along its two axes, first axis fastest [its area].
 std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments);
 

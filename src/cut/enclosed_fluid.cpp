@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cells_around.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
@@ -40,8 +41,6 @@ const auto& box_of(const EnclosedCells& cells) {
   else
     return cells.space;
 }
-const Array<double>& inside_of(const CutCells& box) { return box.area; }
-const Array<double>& inside_of(const ClippedCells& box) { return box.inside; }
 
 /// Local coordinates of a local cell.
 template <std::size_t dim>

@@ -1,5 +1,5 @@
-// A sharp interface between the body inside a closed membrane and what is around it (2D, quadratic B-splines): each has
-// a velocity field of its own, and the cells that the membrane cuts are shared exactly.
+// A sharp interface between the body inside a closed membrane and what is around it (quadratic B-splines): each has a
+// velocity field of its own, and the cells that the membrane cuts are shared exactly.
 //
 //   a_ic = int_(c inside) grad N_i dV,  G_ic = int_c grad N_i dV,  b_ic = int_(membrane in c) N_i n dl
 //
@@ -19,32 +19,43 @@
 
 #include <array>
 #include <functional>
+#include <type_traits>
 
 namespace geodrop {
 
 /// Cuts the cells at sharp membranes; Grid::taken of the fields on both sides.
-void cut_interface_cells(const State<2>& state, Grids<2>& grids);
+template <int Dim>
+void cut_interface_cells(const State<Dim>& state, Grids<Dim>& grids);
 
 /// Pressures of the parts of cut cells, from those that grid/cell_fill left.
-void share_interface_pressure(const State<2>& state, Grids<2>& grids);
+template <int Dim>
+void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids);
 
 /// Volume ratios of the particles of fluids near their cell's mean, at a share of the wave speed; the volume of each
 /// cell stays. No force does that: cells know means only, and what strays from them is carried along and turns up
 /// elsewhere as noise of the pressure.
-void even_out_volumes(State<2>& state, const Grids<2>& grids, double dt);
+template <int Dim>
+void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt);
 
 /// Adds to the fill ratios of nodes what lies on the other side: particles shift away from crowds and into voids beside
 /// the membrane as elsewhere, and keep their distance from it.
-void fill_other_sides(const State<2>& state, Grids<2>& grids);
+template <int Dim>
+void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids);
+
+template <int Dim>
+using ForceAtNode = std::type_identity_t<std::function<void(int, const std::array<double, Dim>&)>>;
 
 /// f(node, force [N]): what turns the force of the whole cells of a field into that of their parts.
-void for_each_interface_force(const Grid<2>& grid, const std::function<void(int, const std::array<double, 2>&)>& f);
+template <int Dim>
+void for_each_interface_force(const Grid<Dim>& grid, const ForceAtNode<Dim>& f);
 
 /// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N]. Water in
 /// pores shares its own with the grains, see pores/pores.
-void add_interface_force(Grids<2>& grids);
+template <int Dim>
+void add_interface_force(Grids<Dim>& grids);
 
 /// Volume rates of the parts of cut cells.
-void update_interface_rates(Grids<2>& grids);
+template <int Dim>
+void update_interface_rates(Grids<Dim>& grids);
 
 }  // namespace geodrop

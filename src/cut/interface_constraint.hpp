@@ -14,6 +14,7 @@
 // Where the fluid sticks to the membrane (Shear::no_slip) a second row for each stretch says the same of the velocities
 // along it. Otherwise friction follows: at most mu (p_r - u_r) on a bed, if the membrane names one, u_r the pressure of
 // the water in its pores; at most 1/2 rho C_f u^2 in fluid that slips with the velocity u (Shear::wall_law).
+// In space the fluid slips freely, and there is no bed.
 // The membrane does not part from a fluid. From a bed it does rather than pull: p_r >= 0 there, with a gap that only
 // opens where p_r = 0.
 #pragma once
@@ -25,6 +26,7 @@ namespace geodrop {
 
 /// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
 /// Membrane::water_pressure and water_shear.
-void join_interfaces(State<2>& state, Grids<2>& grids, double dt);
+template <int Dim>
+void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
 
 }  // namespace geodrop

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "cells_around.hpp"
+#include "clipped_cells.hpp"
+#include "cut_cells.hpp"
 #include "grid/momentum.hpp"
 #include "membrane/outline.hpp"
 #include "outline_pieces.hpp"
@@ -14,8 +18,24 @@ namespace {
 /// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [width of the cell].
 constexpr double least_length = 0.25;
 
-double light_mass(const Grid<2>& grid, int node) {
-  return light_mass<2>(grid, {node % grid.layout.stride[1], node / grid.layout.stride[1]});
+template <int Dim>
+double light_mass_at(const Grid<Dim>& grid, int node) {
+  return light_mass<Dim>(grid, stored_cell(grid.layout, node));
+}
+
+/// Components of the velocity of a node that walls hold.
+template <int Dim>
+std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int node) {
+  std::array<bool, Dim> fixed{};
+  const std::array<int, Dim> stored = stored_cell(layout, node);
+  for (int a = 0; a < Dim; ++a) {
+    const int at = stored[a] - layout.pad;
+    if (at != 0 && at != layout.cells[a]) continue;
+    fixed[a] = true;
+    const WallKind wall = at == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
+    if (wall == WallKind::no_slip) fixed.fill(true);
+  }
+  return fixed;
 }
 
 }  // namespace
@@ -36,16 +56,16 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
     const std::size_t at = (start + k) % n;
     Stretch visit{at, 0, 0};
     for (; k < n && pieces[(start + k) % n].cell == pieces[at].cell; ++k, ++visit.count)
-      visit.length += length_of(membrane, pieces[(start + k) % n]);
+      visit.size += length_of(membrane, pieces[(start + k) % n]);
     if (!wet(at)) {
       open = false;
       continue;
     }
     const double least = least_length * least_width(around.layout, flat_of(around.layout, cells, pieces[at].cell));
-    const bool join = open && (visit.length < least || stretches.back().length < least);
+    const bool join = open && (visit.size < least || stretches.back().size < least);
     if (join) {
       stretches.back().count += visit.count;
-      stretches.back().length += visit.length;
+      stretches.back().size += visit.size;
     } else {
       stretches.push_back(visit);
     }
@@ -54,26 +74,18 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
   return stretches;
 }
 
-int Columns::of(int field, int node) {
-  int& number = number_[field][node];
-  if (number >= 0) return number;
-  number = 2 * static_cast<int>(places_.size());
-  const GridLayout<2>& layout = grids_[field].layout;
-  Place place{field, node, std::sqrt(grids_[field].sum[node][3]), {false, false}};
-  const int at[] = {node % layout.stride[1] - layout.pad, node / layout.stride[1] - layout.pad};
-  for (int a = 0; a < 2; ++a) {
-    if (at[a] != 0 && at[a] != layout.cells[a]) continue;
-    place.fixed[a] = true;
-    const WallKind wall = at[a] == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
-    if (wall == WallKind::no_slip) place.fixed[1 - a] = true;
-  }
-  places_.push_back(place);
-  return number;
+std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>&, const ClippedSurface& cells) {
+  const double h2 = around.layout.h * around.layout.h;
+  std::vector<Stretch> stretches;
+  for (const ClippedSurface::Patch& patch : cells.patches)
+    if (is_wet(around, flat_of(around.layout, cells, cells.flanks[patch.first_flank].cell)))
+      stretches.push_back({patch.first_flank, patch.flanks, patch.area * h2});
+  return stretches;
 }
 
-std::vector<NodeVector> line_integrals(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
-                                       const Stretch& stretch, Direction direction) {
-  std::vector<NodeVector> out;
+std::vector<NodeVector<2>> integrals_over(const GridLayout<2>& layout, const Membrane<2>& membrane,
+                                          const CutCells& cells, const Stretch& stretch, Direction direction) {
+  std::vector<NodeVector<2>> out;
   for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
     const PieceIntegral integral = integrate_piece(layout, membrane, cells, piece);
     const auto [nx, ny] = integral.normal;
@@ -85,114 +97,218 @@ std::vector<NodeVector> line_integrals(const GridLayout<2>& layout, const Membra
   return out;
 }
 
-bool Rows::add(int field, int other, const std::vector<NodeVector>& vectors) {
-  const bool complete = add_field(field, 1, vectors) && add_field(other, -1, vectors);
-  end_row(complete);
-  return complete;
-}
-
-bool Rows::add_field(int field, double sign, const std::vector<NodeVector>& vectors) {
-  const Grid<2>& grid = grids_[field];
-  std::array<double, 2> nowhere{};  // vectors with no mass around
-  const std::size_t before = touched_.size();
-  for (const NodeVector& vector : vectors) {
-    const double mass = grid.sum[vector.node][3], kept = std::min(1.0, mass / light_mass(grid, vector.node));
-    const std::array<double, 2> value = {sign * vector.value[0], sign * vector.value[1]};
-    if (kept > 0) put(field, vector.node, kept, value);
-    if (kept < 1 && !spread(field, vector.node, 1 - kept, value))
-      for (int a = 0; a < 2; ++a) nowhere[a] += value[a];
+std::vector<NodeVector<3>> integrals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
+                                          const Stretch& stretch) {
+  const double h2 = layout.h * layout.h;
+  std::vector<NodeVector<3>> out;
+  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
+    const ClippedSurface::Flank& flank = cells.flanks[k];
+    const int flat = flat_of(layout, cells, flank.cell);
+    for (int n = 0; n < 27; ++n) {
+      const auto& [x, y, z] = flank.spline[n];
+      out.push_back({node_around(layout, flat, n), {h2 * x, h2 * y, h2 * z}});
+    }
   }
-  if (touched_.size() == before) return false;
-  if (nowhere[0] != 0 || nowhere[1] != 0) spread_over_row(before, field, nowhere);
-  return true;
+  if (stretch.count == 1) return out;
+  // Flanks of a patch have nodes in common.
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+  std::size_t kept = 0;
+  for (std::size_t k = 1; k < out.size(); ++k)
+    if (out[k].node == out[kept].node)
+      for (int a = 0; a < 3; ++a) out[kept].value[a] += out[k].value[a];
+    else
+      out[++kept] = out[k];
+  out.resize(kept + 1);
+  return out;
 }
 
-void Rows::put(int field, int node, double share, const std::array<double, 2>& value) {
-  const int column = columns_.of(field, node);
-  const Columns::Place& place = columns_.places()[column / 2];
-  const double scale = share / place.root_mass;
-  value_.resize(2 * columns_.places().size(), 0.0);
-  for (int a = 0; a < 2; ++a) {
-    if (place.fixed[a]) continue;
-    if (value_[column + a] == 0) touched_.push_back(column + a);
-    value_[column + a] += scale * value[a];
+template <int Dim>
+Columns<Dim>::Columns(const Grids<Dim>& grids) : grids_(grids) {
+  constexpr int reach = 2;  // beyond the boxes of the outlines
+  std::array<int, Dim> last{};
+  first_.fill(std::numeric_limits<int>::max());
+  for (const Grid<Dim>& grid : grids)
+    for (int a = 0; a < Dim && grid.outline.size() > 0; ++a) {
+      first_[a] = std::min(first_[a], grid.outline.first[a] - reach);
+      last[a] = std::max(last[a], grid.outline.first[a] + grid.outline.count[a] + reach);
+    }
+  std::size_t size = 1;
+  for (int a = 0; a < Dim; ++a) size *= count_[a] = std::max(0, last[a] - first_[a]);
+  number_.assign(grids.size(), std::vector<int>(size, -1));
+}
+
+template <int Dim>
+int Columns<Dim>::of(int field, int node) {
+  const std::array<int, Dim> at = stored_cell(grids_[field].layout, node);
+  std::size_t place = 0;
+  for (int a = Dim - 1; a >= 0; --a) place = place * count_[a] + at[a] - first_[a];
+  int& number = number_[field][place];
+  if (number >= 0) return number;
+  number = Dim * static_cast<int>(places_.size());
+  places_.push_back({field, node, std::sqrt(grids_[field].sum[node][3]), held_by_walls(grids_[field].layout, node)});
+  return number;
+}
+
+namespace {
+
+/// A row's part in one field.
+template <int Dim>
+class RowInField {
+ public:
+  RowInField(const Grid<Dim>& grid, double sign, const std::vector<NodeVector<Dim>>& vectors)
+      : grid_(grid), sign_(sign) {
+    first_.fill(std::numeric_limits<int>::max());
+    std::array<int, Dim> last{};
+    for (const NodeVector<Dim>& vector : vectors) {
+      const std::array<int, Dim> at = stored_cell(grid.layout, vector.node);
+      for (int a = 0; a < Dim; ++a) {
+        first_[a] = std::min(first_[a], at[a] - 1);
+        last[a] = std::max(last[a], at[a] + 1);
+      }
+    }
+    std::size_t size = vectors.empty() ? 0 : 1;
+    for (int a = 0; a < Dim && size > 0; ++a) size *= count_[a] = last[a] + 1 - first_[a];
+    slot_.assign(size, -1);
   }
-}
 
-/// As grid/momentum hands on what a light node cannot take; false if nothing around has mass.
-bool Rows::spread(int field, int node, double share, const std::array<double, 2>& value) {
-  const Grid<2>& grid = grids_[field];
-  double mass = 0;
-  for (int n = 0; n < 9; ++n) mass += grid.sum[node_around(grid.layout, node, n)][3];
-  if (mass <= 0) return false;
-  for (int n = 0; n < 9; ++n) {
-    const int other = node_around(grid.layout, node, n);
-    if (grid.sum[other][3] > 0) put(field, other, share * grid.sum[other][3] / mass, value);
+  /// False if nothing there can take it.
+  bool add(const std::vector<NodeVector<Dim>>& vectors) {
+    std::array<double, Dim> nowhere{};  // vectors with no mass around
+    for (const NodeVector<Dim>& vector : vectors) {
+      const double mass = grid_.sum[vector.node][3], kept = std::min(1.0, mass / light_mass_at(grid_, vector.node));
+      std::array<double, Dim> value;
+      for (int a = 0; a < Dim; ++a) value[a] = sign_ * vector.value[a];
+      if (kept > 0) put(vector.node, kept, value);
+      if (kept < 1 && !spread(vector.node, 1 - kept, value))
+        for (int a = 0; a < Dim; ++a) nowhere[a] += value[a];
+    }
+    if (entries_.empty()) return false;
+    if (std::any_of(nowhere.begin(), nowhere.end(), [](double v) { return v != 0; })) spread_over_row(nowhere);
+    return true;
   }
-  return true;
-}
 
-/// Hands the rest to the nodes that the row reaches in this field already, by their mass.
-void Rows::spread_over_row(std::size_t first, int field, const std::array<double, 2>& value) {
-  std::vector<int> nodes;
-  double mass = 0;
-  for (std::size_t k = first; k < touched_.size(); ++k) {
-    const int node = columns_.places()[touched_[k] / 2].node;
-    if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) continue;
-    nodes.push_back(node);
-    mass += grids_[field].sum[node][3];
+  const std::vector<typename RawRow<Dim>::Entry>& entries() const { return entries_; }
+
+ private:
+  void put(int node, double share, const std::array<double, Dim>& value) {
+    const std::array<int, Dim> at = stored_cell(grid_.layout, node);
+    int place = 0;
+    for (int a = Dim - 1; a >= 0; --a) place = place * count_[a] + at[a] - first_[a];
+    if (slot_[place] < 0) {
+      const std::array<bool, Dim> fixed = held_by_walls(grid_.layout, node);
+      if (std::find(fixed.begin(), fixed.end(), false) == fixed.end()) return;
+      slot_[place] = static_cast<int>(entries_.size());
+      entries_.push_back({grid_.field, node, {}});
+      root_mass_.push_back(std::sqrt(grid_.sum[node][3]));
+    }
+    const double scale = share / root_mass_[slot_[place]];
+    for (int a = 0; a < Dim; ++a) entries_[slot_[place]].value[a] += scale * value[a];
   }
-  for (const int node : nodes) put(field, node, grids_[field].sum[node][3] / mass, value);
-}
 
-void Rows::end_row(bool keep) {
-  std::sort(touched_.begin(), touched_.end());
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const int column : touched_) {
-    if (keep) entries_.emplace_back(column, value_[column]);
-    value_[column] = 0;
+  /// As grid/momentum hands on what a light node cannot take; false if nothing around has mass.
+  bool spread(int node, double share, const std::array<double, Dim>& value) {
+    double mass = 0;
+    for (int n = 0; n < nodes_around<Dim>; ++n) mass += grid_.sum[node_around(grid_.layout, node, n)][3];
+    if (mass <= 0) return false;
+    for (int n = 0; n < nodes_around<Dim>; ++n) {
+      const int other = node_around(grid_.layout, node, n);
+      if (grid_.sum[other][3] > 0) put(other, share * grid_.sum[other][3] / mass, value);
+    }
+    return true;
   }
-  if (keep) row_begin_.push_back(static_cast<int>(entries_.size()));
-  touched_.clear();
+
+  /// Hands the rest to the nodes that the row reaches in this field already, by their mass.
+  void spread_over_row(const std::array<double, Dim>& value) {
+    double mass = 0;
+    for (const auto& entry : entries_) mass += grid_.sum[entry.node][3];
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+      put(entries_[k].node, grid_.sum[entries_[k].node][3] / mass, value);
+  }
+
+  const Grid<Dim>& grid_;
+  double sign_;
+  std::array<int, Dim> first_{}, count_{};  ///< box of the nodes that it may reach
+  std::vector<int> slot_;                   ///< by node of the box: number of its entry
+  std::vector<typename RawRow<Dim>::Entry> entries_;
+  std::vector<double> root_mass_;
+};
+
+}  // namespace
+
+template <int Dim>
+RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors) {
+  RowInField<Dim> one(grids[field], 1, vectors), rest(grids[other], -1, vectors);
+  RawRow<Dim> row;
+  row.complete = one.add(vectors) && rest.add(vectors);
+  row.entries = one.entries();
+  row.entries.insert(row.entries.end(), rest.entries().begin(), rest.entries().end());
+  return row;
 }
 
-SparseRows Rows::matrix() const {
-  SparseRows E(count(), 2 * static_cast<int>(columns_.places().size()));
-  E.reserve(static_cast<int>(entries_.size()));
+template <int Dim>
+bool Rows<Dim>::add(const RawRow<Dim>& row) {
+  for (const auto& [field, node, value] : row.entries) {
+    const int column = columns_.of(field, node);
+    if (row.complete) entries_.push_back({column, value});
+  }
+  if (row.complete) row_begin_.push_back(entries_.size());
+  return row.complete;
+}
+
+template <int Dim>
+SparseRows Rows<Dim>::matrix() const {
+  SparseRows E(count(), Dim * static_cast<int>(columns_.places().size()));
+  const auto& places = columns_.places();
+  const auto moves = [&](const Entry& entry, int a) { return !places[entry.column / Dim].fixed[a]; };
   for (int r = 0; r < count(); ++r) {
-    E.startVec(r);
-    for (int k = row_begin_[r]; k < row_begin_[r + 1]; ++k) E.insertBack(r, entries_[k].first) = entries_[k].second;
+    int entries = 0;
+    for (std::size_t k = row_begin_[r]; k < row_begin_[r + 1]; ++k)
+      for (int a = 0; a < Dim; ++a) entries += moves(entries_[k], a);
+    E.outerIndexPtr()[r + 1] = E.outerIndexPtr()[r] + entries;
   }
-  E.finalize();
+  E.resizeNonZeros(E.outerIndexPtr()[count()]);
+#pragma omp parallel for schedule(static)
+  for (int r = 0; r < count(); ++r) {
+    std::vector<Entry> row(entries_.begin() + row_begin_[r], entries_.begin() + row_begin_[r + 1]);
+    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
+    int at = E.outerIndexPtr()[r];
+    for (const Entry& entry : row)
+      for (int a = 0; a < Dim; ++a) {
+        if (!moves(entry, a)) continue;
+        E.innerIndexPtr()[at] = entry.column + a;
+        E.valuePtr()[at++] = entry.value[a];
+      }
+  }
   return E;
 }
 
-SparseRows Rows::drag(double dt) {
+template <int Dim>
+SparseRows Rows<Dim>::drag(double dt) {
   struct Pair {
     int water, soil;
     double water_share, soil_share;  // dt c / m
   };
   std::vector<Pair> pairs;
   std::vector<int> soil_of(grids_.size(), -1);
-  for (const Grid<2>& grid : grids_)
+  for (const Grid<Dim>& grid : grids_)
     if (grid.pore_water >= 0) soil_of[grid.pore_water] = grid.field;
   for (std::size_t k = 0; k < columns_.places().size(); ++k) {  // grows
     const auto [field, node] = std::pair(columns_.places()[k].field, columns_.places()[k].node);
     const int soil = grids_[field].pore_water >= 0 ? field : soil_of[field];
     if (soil < 0) continue;
-    const Grid<2>&grid = grids_[soil], &around = grids_[grid.pore_water];
+    const Grid<Dim>&grid = grids_[soil], &around = grids_[grid.pore_water];
     const double c = dt * around.node_drag[node];
     if (!(c > 0 && grid.sum[node][3] > 0 && around.sum[node][3] > 0)) continue;
     const int water_column = columns_.of(around.field, node), soil_column = columns_.of(soil, node);
     pairs.push_back({water_column, soil_column, c / around.sum[node][3], c / grid.sum[node][3]});
   }
   if (pairs.empty()) return {};
-  const auto n = static_cast<Eigen::Index>(2 * columns_.places().size());
+  const auto n = static_cast<Eigen::Index>(Dim * columns_.places().size());
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<bool> paired(n, false);
   for (const auto& [water, soil, of_water, of_soil] : pairs)
-    for (int a = 0; a < 2; ++a) {
-      if (paired[water + a] /* both of a pair name it */ || columns_.places()[water / 2].fixed[a]) continue;
+    for (int a = 0; a < Dim; ++a) {
+      if (paired[water + a] /* both of a pair name it */ || columns_.places()[water / Dim].fixed[a]) continue;
       const double scale = 1 / (1 + of_water + of_soil), both = std::sqrt(of_water * of_soil) * scale;
       entries.emplace_back(water + a, water + a, (1 + of_soil) * scale);
       entries.emplace_back(soil + a, soil + a, (1 + of_water) * scale);
@@ -207,27 +323,38 @@ SparseRows Rows::drag(double dt) {
   return out;
 }
 
-Eigen::VectorXd Rows::scaled_velocities() const {
+template <int Dim>
+Eigen::VectorXd Rows<Dim>::scaled_velocities() const {
   const auto& places = columns_.places();
-  Eigen::VectorXd scaled(2 * places.size());
+  Eigen::VectorXd scaled(Dim * places.size());
   for (std::size_t n = 0; n < places.size(); ++n)
-    for (int a = 0; a < 2; ++a)
-      scaled[2 * n + a] = places[n].root_mass * grids_[places[n].field].velocity[places[n].node][a];
+    for (int a = 0; a < Dim; ++a)
+      scaled[Dim * n + a] = places[n].root_mass * grids_[places[n].field].velocity[places[n].node][a];
   return scaled;
 }
 
-void apply_pressures(const Rows& rows, const SparseRows& E, const Eigen::VectorXd& pressure, double dt,
-                     Grids<2>& grids) {
+template <int Dim>
+void apply_pressures(const Rows<Dim>& rows, const SparseRows& E, const Eigen::VectorXd& pressure, double dt,
+                     Grids<Dim>& grids) {
   const auto& places = rows.columns().places();
   const Eigen::VectorXd change = -dt * (E.transpose() * pressure);
   for (std::size_t n = 0; n < places.size(); ++n) {
-    Grid<2>& grid = grids[places[n].field];
-    for (int a = 0; a < 2; ++a) {
-      const double v = change[2 * n + a] / places[n].root_mass;
+    Grid<Dim>& grid = grids[places[n].field];
+    for (int a = 0; a < Dim; ++a) {
+      const double v = change[Dim * n + a] / places[n].root_mass;
       grid.velocity[places[n].node][a] += v;
       if (!grid.velocity_change.empty()) grid.velocity_change[places[n].node][a] += v;
     }
   }
 }
+
+template class Columns<2>;
+template class Columns<3>;
+template RawRow<2> make_row(const Grids<2>&, int, int, const std::vector<NodeVector<2>>&);
+template RawRow<3> make_row(const Grids<3>&, int, int, const std::vector<NodeVector<3>>&);
+template class Rows<2>;
+template class Rows<3>;
+template void apply_pressures(const Rows<2>&, const SparseRows&, const Eigen::VectorXd&, double, Grids<2>&);
+template void apply_pressures(const Rows<3>&, const SparseRows&, const Eigen::VectorXd&, double, Grids<3>&);
 
 }  // namespace geodrop

@@ -4,35 +4,55 @@
 #include <geodrop/grid/grid.hpp>
 #include <geodrop/state/state.hpp>
 
-#include <Eigen/SparseCore>
-
 #include <array>
 #include <utility>
 #include <vector>
 
+#include "sparse_product.hpp"
+
 namespace geodrop {
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 /// A vector at a node.
+template <int Dim>
 struct NodeVector {
   int node;
-  std::array<double, 2> value;
+  std::array<double, Dim> value;
 };
 
-/// A part of an outline with one multiplier: consecutive pieces, [first, last) in CutCells::pieces, round its end.
+/// A part of an outline with one multiplier: consecutive pieces, [first, last) in CutCells::pieces, round its end; in
+/// space consecutive flanks, [first, last) in ClippedSurface::flanks.
 struct Stretch {
   std::size_t first = 0, count = 0;
-  double length = 0;  ///< [m]
+  double size = 0;  ///< length or area [m, m2]
 };
 
 /// The stretches of an outline that has something beside it. Two flanks in one cell are two stretches.
 std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells);
+std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>& membrane, const ClippedSurface& cells);
 
 /// f(piece) for the pieces of a stretch.
 template <class F>
 void for_each_piece(const CutCells& cells, const Stretch& stretch, F&& f) {
   for (std::size_t k = 0; k < stretch.count; ++k) f(cells.pieces[(stretch.first + k) % cells.pieces.size()]);
+}
+template <class F>
+void for_each_piece(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
+  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
+    const ClippedSurface::Flank& flank = cells.flanks[k];
+    for (std::uint32_t p = 0; p < flank.pieces; ++p) f(cells.pieces[flank.first_piece + p]);
+  }
+}
+
+/// f(segment or triangle, share of it) for the pieces of a stretch.
+template <class F>
+void for_each_share(const CutCells& cells, const Stretch& stretch, F&& f) {
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) { f(piece.edge, piece.to - piece.from); });
+}
+template <class F>
+void for_each_share(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
+  for_each_piece(cells, stretch, [&](const ClippedCells::Piece& piece) {
+    f(piece.triangle, piece.share[0] + piece.share[1] + piece.share[2]);
+  });
 }
 
 /// Length of a piece [m].
@@ -41,39 +61,58 @@ double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece);
 enum class Direction { normal, tangent };
 
 /// int N n dl over a stretch, or along it int N t dl, t the outward normal turned anticlockwise.
-std::vector<NodeVector> line_integrals(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
-                                       const Stretch& stretch, Direction direction);
+std::vector<NodeVector<2>> integrals_over(const GridLayout<2>& layout, const Membrane<2>& membrane,
+                                          const CutCells& cells, const Stretch& stretch, Direction direction);
+/// int N n dA over a stretch.
+std::vector<NodeVector<3>> integrals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
+                                          const Stretch& stretch);
 
-/// The nodes that the rows of E reach, of all fields: two columns each.
+/// The nodes that the rows of E reach, of all fields: as many columns each as there are axes.
+template <int Dim>
 class Columns {
  public:
   struct Place {
     int field, node;
-    double root_mass;           ///< [kg^1/2]
-    std::array<bool, 2> fixed;  ///< components that a wall holds
+    double root_mass;             ///< [kg^1/2]
+    std::array<bool, Dim> fixed;  ///< components that a wall holds
   };
 
-  explicit Columns(const Grids<2>& grids)
-      : grids_(grids), number_(grids.size(), std::vector<int>(grids.front().layout.nodes(), -1)) {}
+  explicit Columns(const Grids<Dim>& grids);
 
-  /// Number of the first of both columns of a node that has mass.
+  /// Number of the first of the columns of a node that has mass.
   int of(int field, int node);
   const std::vector<Place>& places() const { return places_; }
 
  private:
-  const Grids<2>& grids_;
-  std::vector<std::vector<int>> number_;  ///< by field and node
+  const Grids<Dim>& grids_;
+  std::array<int, Dim> first_{}, count_{};  ///< stored nodes that rows may reach: around the outlines
+  std::vector<std::vector<int>> number_;    ///< by field and node of that box
   std::vector<Place> places_;
 };
 
+/// A row on its way: what it says of the velocities of nodes, times M^-1/2, in the order in which nodes turned up.
+template <int Dim>
+struct RawRow {
+  struct Entry {
+    int field, node;
+    std::array<double, Dim> value;
+  };
+  std::vector<Entry> entries;
+  bool complete = false;  ///< both fields have mass there
+};
+
+/// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it.
+template <int Dim>
+RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors);
+
 /// Builds E M^-1/2 row by row; all rows reach nodes of two fields.
+template <int Dim>
 class Rows {
  public:
-  explicit Rows(const Grids<2>& grids) : grids_(grids), columns_(grids) {}
+  explicit Rows(const Grids<Dim>& grids) : grids_(grids), columns_(grids) {}
 
-  /// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it;
-  /// none, and false, if one of the fields has no mass there.
-  bool add(int field, int other, const std::vector<NodeVector>& vectors);
+  /// None, and false, if the row is not complete.
+  bool add(const RawRow<Dim>& row);
 
   int count() const { return static_cast<int>(row_begin_.size()) - 1; }
   SparseRows matrix() const;
@@ -85,25 +124,23 @@ class Rows {
   /// M^1/2 v of the columns [kg^1/2 m/s].
   Eigen::VectorXd scaled_velocities() const;
 
-  const Columns& columns() const { return columns_; }
+  const Columns<Dim>& columns() const { return columns_; }
 
  private:
-  bool add_field(int field, double sign, const std::vector<NodeVector>& vectors);
-  void put(int field, int node, double share, const std::array<double, 2>& value);
-  bool spread(int field, int node, double share, const std::array<double, 2>& value);
-  void spread_over_row(std::size_t first, int field, const std::array<double, 2>& value);
-  void end_row(bool keep);
+  struct Entry {
+    int column;  ///< the first of its node
+    std::array<double, Dim> value;
+  };
 
-  const Grids<2>& grids_;
-  Columns columns_;
-  std::vector<double> value_;  ///< of the present row, by column
-  std::vector<int> touched_;
-  std::vector<std::pair<int, double>> entries_;
-  std::vector<int> row_begin_{0};
+  const Grids<Dim>& grids_;
+  Columns<Dim> columns_;
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> row_begin_{0};
 };
 
 /// v -= dt M^-1 E^T p.
-void apply_pressures(const Rows& rows, const SparseRows& E, const Eigen::VectorXd& pressure, double dt,
-                     Grids<2>& grids);
+template <int Dim>
+void apply_pressures(const Rows<Dim>& rows, const SparseRows& E, const Eigen::VectorXd& pressure, double dt,
+                     Grids<Dim>& grids);
 
 }  // namespace geodrop

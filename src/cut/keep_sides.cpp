@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
-#include "outline_pieces.hpp"
+#include "cells_around.hpp"
+#include "cut_cells.hpp"
+#include "geometry/polygon.hpp"
+#include "near_triangles.hpp"
 
 namespace geodrop {
 namespace {
@@ -74,29 +78,34 @@ class NearEdges {
 };
 
 /// Particles of a body in cells that it shares.
-void keep_body(const Grid<2>& grid, const NearEdges& edges, bool inside, Body<2>& body) {
+template <int Dim, class Near>
+void keep_body(const Grid<Dim>& grid, const Near& surface, bool inside, Body<Dim>& body) {
   const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t p = 0; p < n; ++p) {
-    const int cell = grid.layout.index({grid.layout.base(0, body.x[0][p]), grid.layout.base(1, body.x[1][p])});
-    if (grid.taken[cell] <= 0) continue;
-    const Vec<2> to = edges.on_side({body.x[0][p], body.x[1][p]}, inside);
-    for (int a = 0; a < 2; ++a) body.x[a][p] = to[a];
+    if (grid.taken[cell_at(grid.layout, body, p)] <= 0) continue;
+    const Vec<Dim> to = surface.on_side(vector_at(body.x, p), inside);
+    for (int a = 0; a < Dim; ++a) body.x[a][p] = to[a];
   }
 }
 
 }  // namespace
 
-void keep_sides(State<2>& state, const Grids<2>& grids) {
+template <int Dim>
+void keep_sides(State<Dim>& state, const Grids<Dim>& grids) {
+  using Near = std::conditional_t<Dim == 2, NearEdges, NearTriangles>;
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
-  for (const Membrane<2>& membrane : state.membranes) {
+  for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    const NearEdges edges(grids.front().layout, membrane, grids[membrane.field].outline);
+    const Near surface(grids.front().layout, membrane, grids[membrane.field].outline);
     const int water = grids[membrane.field].pore_water;
-    for (Body<2>& body : state.bodies)
+    for (Body<Dim>& body : state.bodies)
       if (body.field != waiting && (body.field == membrane.field || body.field == 0 || body.field == water))
-        keep_body(grids[body.field], edges, body.field != 0, body);
+        keep_body(grids[body.field], surface, body.field != 0, body);
   }
 }
+
+template void keep_sides(State<2>&, const Grids<2>&);
+template void keep_sides(State<3>&, const Grids<3>&);
 
 }  // namespace geodrop

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "cells_around.hpp"
 #include "geometry/polygon.hpp"
 #include "membrane/fluid_load.hpp"
-#include "outline_pieces.hpp"
 
 namespace geodrop {
 namespace {

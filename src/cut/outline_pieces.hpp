@@ -4,20 +4,15 @@
 #include <geodrop/grid/grid.hpp>
 #include <geodrop/state/state.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "cells_around.hpp"
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
 #include "grid/bases.hpp"
 
 namespace geodrop {
-
-/// The knot span of a cell along one axis.
-inline SpanShape span_of(const GridLayout<2>& layout, int axis, int flat) {
-  return layout.span_shape(axis, axis == 0 ? flat % layout.stride[1] : flat / layout.stride[1]);
-}
 
 /// int N of the nodes below, at and above a span, from its lower end to z [its width]; z from -1/2 to 1/2.
 inline std::array<double, 3> integrals_to(const SpanShape& span, double z) {
@@ -70,24 +65,6 @@ inline PieceIntegral integrate_piece(const GridLayout<2>& layout, const Membrane
     }
   }
   return out;
-}
-
-/// Whether a membrane is there and has a sharp interface.
-inline bool acts_sharply(const Membrane<2>& membrane) { return membrane.sharp && membrane.field != waiting; }
-
-/// Area of a cell, walls or not [m2].
-inline double cell_area(const GridLayout<2>& layout, int flat) {
-  return span_of(layout, 0, flat).width * span_of(layout, 1, flat).width;
-}
-
-/// Width of a cell where it is narrower [m].
-inline double least_width(const GridLayout<2>& layout, int flat) {
-  return std::min(span_of(layout, 0, flat).width, span_of(layout, 1, flat).width);
-}
-
-/// Flat index of node n of the 3 x 3 around a cell.
-inline int node_around(const GridLayout<2>& layout, int flat, int n) {
-  return flat + n % 3 - 1 + (n / 3 - 1) * layout.stride[1];
 }
 
 }  // namespace geodrop

@@ -12,22 +12,25 @@
 
 namespace geodrop {
 
-Row<2> cut_cells_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> cut_cells_row(const Scene& scene) {
   return {"cut_cells", Data::membranes | Data::membrane_position,
           Data::cut_cells | Data::cell_flags | Data::volume_rate, has_sharp_interface(scene),
-          [](const State<2>& s, Grids<2>& f, const StepContext&) { cut_interface_cells(s, f); }};
+          [](const State<Dim>& s, Grids<Dim>& f, const StepContext&) { cut_interface_cells(s, f); }};
 }
 
-Row<2> interface_pressure_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> interface_pressure_row(const Scene& scene) {
   return {"interface_pressure", Data::cut_cells | Data::position | Data::mass | Data::volume_ratio,
           Data::cut_cells | Data::cell_volume | Data::cell_pressure | Data::cell_flags, has_sharp_interface(scene),
-          [](const State<2>& s, Grids<2>& f, const StepContext&) { share_interface_pressure(s, f); }};
+          [](const State<Dim>& s, Grids<Dim>& f, const StepContext&) { share_interface_pressure(s, f); }};
 }
 
-Row<2> even_out_volumes_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> even_out_volumes_row(const Scene& scene) {
   return {"even_out_volumes", Data::cell_pressure | Data::cell_flags | Data::position, Data::volume_ratio,
           has_sharp_interface(scene) || scene.solver.even_out_volumes,
-          [](State<2>& s, const Grids<2>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
+          [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
 }
 
 Row<2> seep_row(const Scene& scene) {
@@ -46,34 +49,52 @@ Row<2> model_drag_row(const Scene& scene) {
           [](State<2>& s, const Grids<2>&, const StepContext&) { add_model_drag(s); }};
 }
 
-Row<2> interface_force_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> interface_force_row(const Scene& scene) {
   return {"interface_force", Data::cut_cells | Data::cell_pressure, Data::nodal_force, has_sharp_interface(scene),
-          [](const State<2>&, Grids<2>& f, const StepContext&) { add_interface_force(f); }};
+          [](const State<Dim>&, Grids<Dim>& f, const StepContext&) { add_interface_force(f); }};
 }
 
-Row<2> join_interfaces_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> join_interfaces_row(const Scene& scene) {
   return {"join_interfaces",
           Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth |
               Data::pore_space,
           Data::nodal_velocity | Data::velocity_change | Data::water_traction, has_sharp_interface(scene),
-          [](State<2>& s, Grids<2>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
+          [](State<Dim>& s, Grids<Dim>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
 }
 
-Row<2> fill_other_sides_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> fill_other_sides_row(const Scene& scene) {
   return {"fill_other_sides", Data::cut_cells | Data::pore_space | Data::nodal_sums, Data::nodal_velocity,
           has_sharp_interface(scene) && any_body_shifts(scene),
-          [](const State<2>& s, Grids<2>& f, const StepContext&) { fill_other_sides(s, f); }};
+          [](const State<Dim>& s, Grids<Dim>& f, const StepContext&) { fill_other_sides(s, f); }};
 }
 
-Row<2> interface_rate_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> interface_rate_row(const Scene& scene) {
   return {"interface_rate", Data::cut_cells | Data::cell_volume | Data::nodal_velocity | Data::pore_space,
           Data::volume_rate, has_sharp_interface(scene),
-          [](const State<2>&, Grids<2>& f, const StepContext&) { update_interface_rates(f); }};
+          [](const State<Dim>&, Grids<Dim>& f, const StepContext&) { update_interface_rates(f); }};
 }
 
-Row<2> keep_sides_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> keep_sides_row(const Scene& scene) {
   return {"keep_sides", Data::cut_cells | Data::membrane_position, Data::position, has_sharp_interface(scene),
-          [](State<2>& s, const Grids<2>& f, const StepContext&) { keep_sides(s, f); }};
+          [](State<Dim>& s, const Grids<Dim>& f, const StepContext&) { keep_sides(s, f); }};
 }
+
+#define GEODROP_INSTANTIATE(D)                             \
+  template Row<D> cut_cells_row<D>(const Scene&);          \
+  template Row<D> interface_pressure_row<D>(const Scene&); \
+  template Row<D> even_out_volumes_row<D>(const Scene&);   \
+  template Row<D> interface_force_row<D>(const Scene&);    \
+  template Row<D> join_interfaces_row<D>(const Scene&);    \
+  template Row<D> fill_other_sides_row<D>(const Scene&);   \
+  template Row<D> interface_rate_row<D>(const Scene&);     \
+  template Row<D> keep_sides_row<D>(const Scene&);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
 
 }  // namespace geodrop

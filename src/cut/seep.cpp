@@ -22,7 +22,7 @@ struct Pool {
 class Pools {
  public:
   Pools(const Grid<2>& grid, Body<2>& body) : grid_(grid), body_(body) {
-    for (const PartCell& part : grid.part_cells)
+    for (const PartCell<2>& part : grid.part_cells)
       if (part.host >= 0) host_.emplace_back(part.flat, part.host);
     std::sort(host_.begin(), host_.end());
     find_members();
@@ -62,7 +62,7 @@ class Pools {
   void find_members() {
     int last = -1, host = -1;
     for (std::size_t p = 0; p < body_.size(); ++p) {
-      const int flat = grid_.layout.index({grid_.layout.base(0, body_.x[0][p]), grid_.layout.base(1, body_.x[1][p])});
+      const int flat = cell_at(grid_.layout, body_, p);
       if (flat != last) host = host_of(last = flat);
       if (host >= 0) members_.emplace_back(p, host);
     }

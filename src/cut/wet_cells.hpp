@@ -3,18 +3,19 @@
 
 #include <geodrop/grid/grid.hpp>
 
-#include "outline_pieces.hpp"
+#include "cells_around.hpp"
 
 namespace geodrop {
 
 /// Whether what is around a membrane fills half of the room that bodies leave in a cell and its neighbours. The cell's
 /// own part may be too small to hold a particle, and a neighbour alone may be full of water that a wall keeps away.
-inline bool is_wet(const Grid<2>& around, int flat) {
+template <int Dim>
+bool is_wet(const Grid<Dim>& around, int flat) {
   constexpr double wet_share = 0.5;
   double room = 0, filled = 0;
-  for (int n = 0; n < 9; ++n) {
+  for (int n = 0; n < nodes_around<Dim>; ++n) {
     const int other = node_around(around.layout, flat, n);
-    room += (1 - around.taken[other]) * cell_area(around.layout, other);
+    room += (1 - around.taken[other]) * cell_size(around.layout, other);
     filled += around.cell_volume[other];
   }
   return filled >= wet_share * room;

@@ -17,6 +17,7 @@
 #include "bench/child.hpp"
 #include "files/run_directory.hpp"
 #include "files/run_record.hpp"
+#include "keys/key.hpp"
 
 namespace geodrop {
 namespace {
@@ -31,9 +32,11 @@ std::string padded(std::size_t number, std::size_t count) {
   return std::string(width - std::min(width, text.size()), '0') + text;
 }
 
+/// key=value; of keys joined by + each.
 std::vector<std::string> settings(const std::vector<std::string>& keys, const std::vector<std::string>& values) {
   std::vector<std::string> list;
-  for (std::size_t k = 0; k < keys.size(); ++k) list.push_back(keys[k] + '=' + values[k]);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    for (const std::string& key : split(keys[k], '+')) list.push_back(key + '=' + values[k]);
   return list;
 }
 

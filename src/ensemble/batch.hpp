@@ -16,7 +16,7 @@ namespace geodrop {
 struct BatchOptions {
   std::string scene;
   std::vector<std::string> overrides;  ///< for all runs
-  std::vector<std::string> keys;       ///< that vary
+  std::vector<std::string> keys;       ///< that vary; those joined by + have one value
   std::filesystem::path output;
   int jobs = 1;        ///< runs at a time, each on one thread
   std::string kind;    ///< "an ensemble", for messages

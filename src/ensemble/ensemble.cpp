@@ -9,9 +9,7 @@ namespace {
 /// What the values of the runs follow from, one per line.
 std::string design(const EnsembleOptions& options) {
   std::string text = "samples " + std::to_string(options.samples) + "\nseed " + std::to_string(options.seed) + '\n';
-  for (const Variation& variation : options.variations)
-    text += "vary " + variation.key + '=' + value_text(variation, variation.low) + ':' +
-            value_text(variation, variation.high) + '\n';
+  for (const Variation& variation : options.variations) text += "vary " + variation_text(variation) + '\n';
   return text;
 }
 

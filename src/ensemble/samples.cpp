@@ -11,6 +11,7 @@
 #include <optional>
 #include <random>
 
+#include "keys/key.hpp"
 #include "measure/series.hpp"
 
 namespace geodrop {
@@ -31,6 +32,13 @@ std::vector<double> ranks_of(const std::vector<double>& values) {
   return ranks;
 }
 
+/// `share` of the range from its low end, 0 to below 1.
+double value_at(const Variation& range, double share) {
+  if (range.by_factors) return range.low * std::pow(range.high / range.low, share);
+  if (range.whole) return std::floor(range.low + share * (range.high - range.low + 1));
+  return range.low + share * (range.high - range.low);
+}
+
 }  // namespace
 
 std::optional<double> number_in(const std::string& text) {
@@ -43,14 +51,20 @@ std::optional<double> number_in(const std::string& text) {
 bool is_whole(const std::string& text) { return text.find_first_not_of("+-0123456789") == std::string::npos; }
 
 Variation parse_variation(const std::string& text) {
-  const std::size_t equals = text.find('='), colon = text.find(':', equals == std::string::npos ? 0 : equals);
-  if (equals != std::string::npos && equals > 0 && colon != std::string::npos) {
-    const std::string low = text.substr(equals + 1, colon - equals - 1), high = text.substr(colon + 1);
-    const auto from = number_in(low), to = number_in(high);
-    if (from && to && *from <= *to) return {text.substr(0, equals), *from, *to, is_whole(low) && is_whole(high)};
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::vector<std::string> ends = split(text.substr(std::min(equals + 1, text.size())), ':');
+  const bool by_factors = ends.size() == 3 && ends[2] == "log";
+  if (equals > 0 && (ends.size() == 2 || by_factors)) {
+    const auto from = number_in(ends[0]), to = number_in(ends[1]);
+    const bool whole = is_whole(ends[0]) && is_whole(ends[1]) && !by_factors;
+    if (from && to && *from <= *to && !(by_factors && *from <= 0))
+      return {text.substr(0, equals), *from, *to, whole, by_factors};
   }
-  throw SceneError("--vary",
-                   {{{}, "--vary", '"' + text + '"', "KEY=LOW:HIGH, two numbers in order", ProblemSource::elsewhere}});
+  throw SceneError("--vary", {{{},
+                               "--vary",
+                               '"' + text + '"',
+                               "KEY=LOW:HIGH, two numbers in order (with :log after them two above 0)",
+                               ProblemSource::elsewhere}});
 }
 
 std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& variations, int samples,
@@ -62,12 +76,8 @@ std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& v
     std::vector<std::size_t> part(count);
     std::iota(part.begin(), part.end(), std::size_t{0});
     for (std::size_t i = count; i-- > 1;) std::swap(part[i], part[random() % (i + 1)]);
-    const Variation& range = variations[v];
-    const double width = range.whole ? range.high - range.low + 1 : range.high - range.low;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double share = (static_cast<double>(part[i]) + uniform(random)) / static_cast<double>(count);
-      values[i][v] = range.whole ? std::floor(range.low + share * width) : range.low + share * width;
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      values[i][v] = value_at(variations[v], (static_cast<double>(part[i]) + uniform(random)) / samples);
   }
   return values;
 }
@@ -79,6 +89,11 @@ std::string value_text(const Variation& variation, double value) {
   std::string text(digits.data(), end);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
+}
+
+std::string variation_text(const Variation& variation) {
+  return variation.key + '=' + value_text(variation, variation.low) + ':' + value_text(variation, variation.high) +
+         (variation.by_factors ? ":log" : "");
 }
 
 std::vector<std::vector<std::string>> value_texts(const std::vector<Variation>& variations,

@@ -8,11 +8,12 @@
 
 namespace geodrop {
 
-/// A key of the scene and the range that its value is drawn from, evenly.
+/// A key of the scene, or several joined by + that have the same value, and the range that it is drawn from, evenly.
 struct Variation {
   std::string key;
   double low = 0, high = 0;
-  bool whole = false;  ///< both ends were written as whole numbers
+  bool whole = false;       ///< both ends were written as whole numbers
+  bool by_factors = false;  ///< the logarithm is drawn evenly
   bool operator==(const Variation&) const = default;
 };
 
@@ -22,7 +23,7 @@ std::optional<double> number_in(const std::string& text);
 /// Whether a number is written without point and exponent.
 bool is_whole(const std::string& text);
 
-/// Of "KEY=LOW:HIGH"; throws SceneError if it is anything else or LOW > HIGH.
+/// Of "KEY=LOW:HIGH", or "KEY=LOW:HIGH:log" by factors; throws SceneError if it is anything else or LOW > HIGH.
 Variation parse_variation(const std::string& text);
 
 /// Values by sample and key. Latin hypercube (McKay, Beckman & Conover 1979): of each key one value in each of as many
@@ -32,6 +33,9 @@ std::vector<std::vector<double>> latin_hypercube(const std::vector<Variation>& v
 
 /// The value as --set takes it, in as few digits as tell it from its neighbours.
 std::string value_text(const Variation& variation, double value);
+
+/// "KEY=LOW:HIGH", as parse_variation takes it.
+std::string variation_text(const Variation& variation);
 
 /// Those of all samples, by key.
 std::vector<std::vector<std::string>> value_texts(const std::vector<Variation>& variations,

@@ -35,9 +35,7 @@ std::string design(const SweepOptions& options) {
   std::string text;
   if (options.samples > 0)
     text += "samples " + std::to_string(options.samples) + "\nseed " + std::to_string(options.seed) + '\n';
-  for (const Variation& variation : options.variations)
-    text += "vary " + variation.key + '=' + value_text(variation, variation.low) + ':' +
-            value_text(variation, variation.high) + '\n';
+  for (const Variation& variation : options.variations) text += "vary " + variation_text(variation) + '\n';
   for (const Axis& axis : options.axes) {
     text += "vary " + axis.key + '=';
     for (const std::string& value : axis.values) text += (&value == &axis.values.front() ? "" : ",") + value;

@@ -207,7 +207,7 @@ void Output<Dim>::write_history(Frame<Dim> frame) {
 template <int Dim>
 void Output<Dim>::write_frame(Frame<Dim> frame) {
   Parts& parts = *parts_;
-  parts.frames.submit(take_snapshot(*frame, names(parts.scene.materials)));
+  parts.frames.submit(take_snapshot(*frame, names(parts.scene.materials), parts.scene.output.fields));
   parts.frames_due.pass(frame->t);
   log(parts.progress.line(frame->t, frame->step) + "  frame " + std::to_string(parts.frames.times().size() - 1));
 }

@@ -4,45 +4,25 @@
 #include <array>
 #include <cmath>
 #include <geodrop/base/find_named.hpp>
-#include <geodrop/measure/measure.hpp>
 #include <limits>
 
 #include "contact/rigid_surface.hpp"
+#include "measure/particle_columns.hpp"
 
 namespace geodrop {
 namespace {
 
-const std::vector<std::string> vector_components = {"X", "Y", "Z"};
-const std::vector<std::string> tensor_components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-
-/// Calls column(name, names of components, write) for all that particles show: write(p, to) gives one particle's
-/// values.
-template <int Dim, class Column>
-void for_each_column(const Body<Dim>& body, Column column) {
-  column("velocity", vector_components, [&](std::size_t p, float* to) {
-    for (int a = 0; a < Dim; ++a) to[a] = narrow(body.v[a][p]);
-  });
-  column("displacement", vector_components, [&](std::size_t p, float* to) {
-    for (int a = 0; a < Dim; ++a) to[a] = narrow(body.x[a][p] - body.initial_x[a][body.id[p]]);
-  });
-  column("stress", tensor_components, [&](std::size_t p, float* to) {
-    const auto stress = total_stress(body, p);
-    for (int k = 0; k < stress_components<Dim>; ++k) to[k] = narrow(stress[k]);
-  });
-  column("mean_pressure", {}, [&](std::size_t p, float* to) { *to = narrow(mean_pressure(body, p)); });
-  column("volumetric_strain", {}, [&](std::size_t p, float* to) { *to = narrow(body.J[p] - 1); });
-  column("density", {}, [&](std::size_t p, float* to) { *to = narrow(reference_density(body.material) / body.J[p]); });
-  for_each_shown_field(body, column);
-}
-
 template <int Dim>
-ParticleSnapshot make_room(const State<Dim>& state) {
+ParticleSnapshot make_room(const State<Dim>& state, const std::vector<std::string>& fields) {
   ParticleSnapshot out;
+  const auto wanted = [&](const char* name) {
+    return fields.empty() || std::find(fields.begin(), fields.end(), name) != fields.end();
+  };
   std::size_t count = 0;
   for (const Body<Dim>& body : state.bodies) {
     if (body.field != waiting) count += body.size();
     for_each_column(body, [&](const char* name, const std::vector<std::string>& components, auto) {
-      if (!is_named(out.fields, name)) out.fields.push_back({name, components, {}});
+      if (wanted(name) && !is_named(out.fields, name)) out.fields.push_back({name, components, {}});
     });
   }
   for (Field& field : out.fields) field.values.resize(field.width() * count);
@@ -55,8 +35,9 @@ ParticleSnapshot make_room(const State<Dim>& state) {
 }
 
 template <int Dim>
-ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials) {
-  ParticleSnapshot out = make_room(state);
+ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::string>& materials,
+                                const std::vector<std::string>& fields) {
+  ParticleSnapshot out = make_room(state, fields);
   std::size_t first = 0;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];
@@ -72,6 +53,7 @@ ParticleSnapshot copy_particles(const State<Dim>& state, const std::vector<std::
       out.body[to] = static_cast<std::uint32_t>(b);
     }
     for_each_column(body, [&](const std::string& name, const std::vector<std::string>&, auto write) {
+      if (!is_named(out.fields, name)) return;
       Field& field = find_named(out.fields, name);
       const std::size_t width = field.width();
 #pragma omp parallel for schedule(static)
@@ -118,6 +100,8 @@ void append_triangles(const Membrane<3>& membrane, std::uint32_t index, Membrane
     out.fields[1].values.push_back(narrow(membrane.strain[t]));
     out.fields[2].values.push_back(membrane.strength > 0 ? narrow(share) : none);
     out.fields[3].values.push_back(narrow(triangles.cross_tension[t]));
+    if (out.fields.size() > 4)
+      out.fields[4].values.push_back(membrane.water_pressure.empty() ? none : narrow(membrane.water_pressure[t]));
     out.membrane.push_back(index);
   }
 }
@@ -157,16 +141,20 @@ Precision precision_for(const State<Dim>& state) {
 }  // namespace
 
 template <int Dim>
-Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials) {
+Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials,
+                       const std::vector<std::string>& fields) {
   Snapshot snapshot;
   snapshot.t = state.t;
-  snapshot.particles = copy_particles(state, materials);
+  snapshot.particles = copy_particles(state, materials, fields);
   snapshot.membranes.fields = {{"tension", {}, {}}, {"strain", {}, {}}, {"utilisation", {}, {}}};
   if constexpr (Dim == 2) {
     for (const char* name : {"contents_pressure", "water_pressure", "pore_pressure", "seepage"})
       snapshot.membranes.fields.push_back({name, {}, {}});
   } else {
     snapshot.membranes.fields.push_back({"cross_tension", {}, {}});
+    if (std::any_of(state.membranes.begin(), state.membranes.end(),
+                    [](const auto& membrane) { return membrane.sharp; }))
+      snapshot.membranes.fields.push_back({"water_pressure", {}, {}});
     snapshot.membranes.corners = 3;
   }
   for (std::size_t m = 0; m < state.membranes.size(); ++m) {
@@ -184,7 +172,7 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   return snapshot;
 }
 
-template Snapshot take_snapshot(const State<2>&, const std::vector<std::string>&);
-template Snapshot take_snapshot(const State<3>&, const std::vector<std::string>&);
+template Snapshot take_snapshot(const State<2>&, const std::vector<std::string>&, const std::vector<std::string>&);
+template Snapshot take_snapshot(const State<3>&, const std::vector<std::string>&, const std::vector<std::string>&);
 
 }  // namespace geodrop

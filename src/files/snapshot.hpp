@@ -17,19 +17,6 @@ struct Field {
   std::size_t width() const { return components.empty() ? 1 : components.size(); }
 };
 
-inline float narrow(double value) { return static_cast<float>(value); }
-
-/// Calls column(name, names of components, write) for the fields of particles that are shown as they are: write(p, to)
-/// gives the value of one particle.
-template <class P, class Column>
-void for_each_shown_field(const P& particles, Column&& column) {
-  using namespace particle_role;
-  for_each_field<shown | shown_if_any>(particles, [&](const auto& entry, const Array<double>& values) {
-    if (values.empty() && (entry.roles & shown) == 0) return;
-    column(entry.name, {}, [&](std::size_t p, float* to) { *to = values.empty() ? 0.0F : narrow(values[p]); });
-  });
-}
-
 /// How positions are written: single ones are right to 6e-8 of the largest coordinate, which is too coarse where that
 /// is 1e5 particles from the origin, as in national coordinates.
 enum class Precision { single, twice };
@@ -73,8 +60,10 @@ struct Snapshot {
   RigidSnapshot rigid;
 };
 
-/// `materials`: names in the order of the scene.
+/// `materials`: names in the order of the scene. `fields`: those of particles that are wanted, of
+/// measure/particle_columns; empty: all.
 template <int Dim>
-Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials);
+Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials,
+                       const std::vector<std::string>& fields = {});
 
 }  // namespace geodrop

@@ -21,16 +21,6 @@ double cell_measure(const GridLayout<Dim>& layout) {
   return Dim == 2 ? layout.h * layout.h : layout.h * layout.h * layout.h;
 }
 
-template <int Dim>
-std::array<int, Dim> stored_cell(const GridLayout<Dim>& layout, int flat) {
-  std::array<int, Dim> cell;
-  for (int a = Dim - 1; a >= 0; --a) {
-    cell[a] = flat / layout.stride[a];
-    flat %= layout.stride[a];
-  }
-  return cell;
-}
-
 /// Along a wall the neighbour beyond it is the mirror image; along a periodic seam, the cell on the other side.
 template <int Dim>
 int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {

@@ -152,6 +152,13 @@ void add_clipped(const ClippedCells& cells, Hasher& hash) {
   for (const ClippedCells::Piece& piece : cells.pieces) hash.add(piece.cell, piece.triangle, piece.share);
 }
 
+void add_cut(const ClippedSurface& cells, Hasher& hash) {
+  add_clipped(cells, hash);
+  for (const ClippedSurface::Flank& flank : cells.flanks)
+    hash.add(flank.cell, flank.first_piece, flank.pieces, flank.area, flank.normal, flank.spline, flank.beside);
+  for (const ClippedSurface::Patch& patch : cells.patches) hash.add(patch.first_flank, patch.flanks, patch.area);
+}
+
 template <int Dim>
 void add_cells_of_bodies(Data item, const Grid<Dim>& grid, Hasher& hash) {
   if (item == Data::enclosed_cells)
@@ -163,7 +170,7 @@ void add_cells_of_bodies(Data item, const Grid<Dim>& grid, Hasher& hash) {
   if (item == Data::cut_cells) {
     add_cut(grid.outline, hash);
     hash.add(grid.taken);
-    for (const PartCell& part : grid.part_cells) hash.add(part.flat, part.host, part.slope, part.elsewhere);
+    for (const PartCell<Dim>& part : grid.part_cells) hash.add(part.flat, part.host, part.slope, part.elsewhere);
   }
 }
 

@@ -5,6 +5,17 @@
 
 namespace geodrop {
 
+/// Stored coordinates of a node or cell.
+template <int Dim>
+std::array<int, Dim> stored_cell(const GridLayout<Dim>& layout, int flat) {
+  std::array<int, Dim> cell;
+  for (int a = Dim - 1; a >= 0; --a) {
+    cell[a] = flat / layout.stride[a];
+    flat %= layout.stride[a];
+  }
+  return cell;
+}
+
 /// Calls f(flat neighbour, offsets a in {0,1,2}^Dim) for the 3^Dim neighbourhood.
 template <int Dim, class F>
 void for_neighbourhood(const GridLayout<Dim>& layout, int flat, F&& f) {

@@ -119,7 +119,7 @@ void soften_light_cells(Grid<Dim>& grid, double dt) {
     for (int k = 0; k < count; ++k)
       if (acts(begin + k) && swing[k] > most_swing) share[begin + k] = std::sqrt(most_swing / swing[k]);
   });
-  for (const PartCell& part : grid.part_cells) share[part.flat] = 1;  // theirs has joined the nodal force
+  for (const auto& part : grid.part_cells) share[part.flat] = 1;  // theirs has joined the nodal force
   for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>&) {
     for (int flat = begin; flat < begin + count; ++flat) grid.cell_pressure[flat] *= share[flat];
   });

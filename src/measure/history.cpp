@@ -96,7 +96,7 @@ void list_balance(HistoryRow& row, const Scene& scene, const State<2>* state) {
 }
 void list_balance(HistoryRow&, const Scene&, const State<3>*) {}
 
-/// Of sharp membranes, which are for the plane.
+/// Of sharp membranes.
 void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     if (scene.membranes[m].interface != Interface::sharp) continue;
@@ -109,7 +109,13 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
     row.add(name + ".strays_m2", state ? strays_inside(*state, state->membranes[m], pore_water) : 0);
   }
 }
-void list_sharp(HistoryRow&, const Scene&, const State<3>*) {}
+void list_sharp(HistoryRow& row, const Scene& scene, const State<3>* state) {
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
+    if (scene.membranes[m].interface != Interface::sharp) continue;
+    const Vec<3> force = state ? pressure_force(state->membranes[m]) : Vec<3>(Vec<3>::Zero());
+    row.add_vector(scene.membranes[m].name + ".pressure_force", "N", force, 3);
+  }
+}
 
 /// Sums over all points in contact, in the step before.
 template <int Dim>

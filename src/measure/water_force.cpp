@@ -2,6 +2,7 @@
 
 #include "geometry/polygon.hpp"
 #include "membrane/outline.hpp"
+#include "membrane/triangles.hpp"
 
 namespace geodrop {
 
@@ -23,6 +24,13 @@ WaterForce water_force(const Membrane<2>& membrane) {
     force.friction[0] += membrane.water_shear[s] * dx;
     force.friction[1] += membrane.water_shear[s] * dy;
   }
+  return force;
+}
+
+Vec<3> pressure_force(const Membrane<3>& membrane) {
+  Vec<3> force = Vec<3>::Zero();
+  for (std::size_t t = 0; t < membrane.water_pressure.size(); ++t)
+    force -= 0.5 * membrane.water_pressure[t] * normal_of(membrane, t);
   return force;
 }
 

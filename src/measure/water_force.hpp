@@ -15,6 +15,9 @@ struct WaterForce {
 /// Sums of the tractions of its segments: the pressure pushes inwards, the friction along.
 WaterForce water_force(const Membrane<2>& membrane);
 
+/// Force of the pressure on a membrane in space, in the step before [N].
+Vec<3> pressure_force(const Membrane<3>& membrane);
+
 /// What flows out of the pores inside through a membrane, in the step before [m2/s].
 double seepage(const Membrane<2>& membrane);
 

@@ -231,8 +231,11 @@ std::string pictures(const Source& source) {
     const std::string time = "t = " + figure(snapshot.t, "s") + ", " + instant.why;
     draw(snapshot, {}, time + ": bodies and layers");
     const std::optional<Window> close = membrane_window(snapshot, source.scene);
-    if (close && instant.time > 0) draw(snapshot, {"velocity", "tension", close, {}, {}}, time + ": velocity");
-    if (instant.why == "end")
+    const std::vector<std::string> fields = picture_fields(snapshot);  // output.fields may leave some out
+    const auto written = [&](const char* name) { return std::ranges::find(fields, name) != fields.end(); };
+    if (close && instant.time > 0 && written("velocity"))
+      draw(snapshot, {"velocity", "tension", close, {}, {}}, time + ": velocity");
+    if (instant.why == "end" && written("mean_pressure"))
       draw(snapshot, {"mean_pressure", "tension", close, {}, {}}, time + ": mean pressure, compression positive");
   }
   return page;

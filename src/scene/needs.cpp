@@ -61,9 +61,17 @@ bool saturates(const Scene& scene, const std::string& body) {
                      [&](const BodySpec& soil) { return soil.saturated_by == body; });
 }
 
+std::string body_inside(const Scene& scene, const MembraneSpec& membrane) {
+  if (scene.dimension == 2) return membrane.body;
+  for (const BodySpec& body : scene.bodies)
+    if (const auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == membrane.name)
+      return body.name;
+  return "";
+}
+
 bool in_sharp_membrane(const Scene& scene, const std::string& body) {
   return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
-    return membrane.body == body && membrane.interface == Interface::sharp;
+    return membrane.interface == Interface::sharp && body_inside(scene, membrane) == body;
   });
 }
 

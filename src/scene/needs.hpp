@@ -27,6 +27,9 @@ bool has_inertial_drag(const Scene& scene, const BodySpec& soil);
 /// Whether this body is the water in the pores of another.
 bool saturates(const Scene& scene, const std::string& body);
 
+/// The body inside a membrane; "" if a membrane in space is empty.
+std::string body_inside(const Scene& scene, const MembraneSpec& membrane);
+
 /// Whether a body is inside a membrane with a sharp interface.
 bool in_sharp_membrane(const Scene& scene, const std::string& body);
 

@@ -12,7 +12,6 @@
 #include <geodrop/solutions/exact.hpp>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "boundary/silent_side.hpp"
@@ -21,6 +20,7 @@
 #include "contact/space_contact.hpp"
 #include "contact/surface_contact.hpp"
 #include "fill_particles.hpp"
+#include "initial_velocity.hpp"
 #include "measure/probes/probes.hpp"
 #include "membrane/membrane_nodes.hpp"
 #include "membrane/tension_gauge.hpp"
@@ -28,6 +28,7 @@
 #include "scene/needs.hpp"
 #include "scene_stages.hpp"
 #include "solutions/initial_stress.hpp"
+#include "start_from.hpp"
 
 namespace geodrop {
 namespace {
@@ -37,44 +38,6 @@ template <int Dim>
 void allocate(Body<Dim>& body) {
   for_each_array<particle_role::every_body>(body, [&](Array<double>& values) { values.resize(body.J.size(), 0.0); });
   set_unstrained(body);
-}
-
-template <int Dim>
-void set_exact_velocity(const ExactSolution<Dim>& solution, Body<Dim>& body) {
-  for (std::size_t p = 0; p < body.size(); ++p) {
-    const Vec<Dim> x = vector_at(body.x, p);
-    const ExactPoint<Dim> exact = exact_point<Dim>(solution, x, x, 0);
-    for (int a = 0; a < Dim; ++a) body.v[a][p] = exact.velocity[a];
-    for (int c = 0; c < Dim * Dim; ++c) body.affine[c][p] = exact.velocity_gradient(c / Dim, c % Dim);
-  }
-}
-
-template <int Dim>
-void set_linear_velocity(const LinearVelocitySpec& linear, Body<Dim>& body) {
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b) {
-      const double rate = linear.gradient[a][b];
-      body.affine[a * Dim + b].assign(body.size(), rate);
-      for (std::size_t p = 0; p < body.size(); ++p) body.v[a][p] += rate * (body.x[b][p] - linear.centre[b]);
-    }
-}
-
-template <int Dim>
-void set_velocity(const Scene& scene, const InitialVelocity& initial, Body<Dim>& body) {
-  if (std::holds_alternative<FromExactSpec>(initial)) {
-    set_exact_velocity(exact_solution<Dim>(scene, body.name), body);
-  } else if (const auto* uniform = std::get_if<UniformVelocitySpec>(&initial)) {
-    for (int a = 0; a < Dim; ++a) body.v[a].assign(body.size(), uniform->value[a]);
-  } else if (const auto* linear = std::get_if<LinearVelocitySpec>(&initial)) {
-    set_linear_velocity(*linear, body);
-  } else if (const auto* bar = std::get_if<BarFirstModeSpec>(&initial)) {
-    const double k = std::numbers::pi / (2 * bar->length);
-    const auto& x = body.x[bar->axis];
-    for (std::size_t p = 0; p < body.size(); ++p) {
-      body.v[bar->axis][p] = bar->amplitude * std::sin(k * x[p]);
-      body.affine[bar->axis * Dim + bar->axis][p] = bar->amplitude * k * std::cos(k * x[p]);
-    }
-  }
 }
 
 /// A body of uniform stretch is filled unstrained: its lattice is stretched with it, so that it is out of step with the
@@ -104,7 +67,7 @@ void fill(const Scene& scene, const BodySpec& spec, Body<Dim>& body) {
 }
 
 template <int Dim>
-Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
+Body<Dim> build_body(const Scene& scene, const BodySpec& spec, const State<Dim>* earlier) {
   Body<Dim> body;
   body.name = spec.name;
   body.material_name = spec.material;
@@ -116,8 +79,9 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec) {
   fill(scene, spec, body);
   allocate(body);
   set_initial_stress(scene, spec, body);
-  set_velocity(scene, spec.initial_velocity, body);
+  set_velocity(scene, spec, body);
   body.initial_x = body.x;
+  if (const Body<Dim>* from = earlier ? find_or_null(earlier->bodies, spec.name) : nullptr) take_particles(*from, body);
   return body;
 }
 
@@ -127,23 +91,19 @@ double distance(const Membrane<2>& membrane, std::size_t a, std::size_t b) {
   return std::sqrt(sum);
 }
 
+/// That of the body that it is on; at rest without one.
+template <int Dim>
+void set_cloth_velocity(const Scene& scene, const std::string& body, Membrane<Dim>& membrane) {
+  for (auto& component : membrane.v) component.assign(membrane.x[0].size(), 0.0);
+  if (!body.empty()) set_velocity(scene, *find_body(scene, body), membrane);
+}
+
 /// Rest length is the drawn length times 1 + slack; the fabric keeps its mass per rest length.
-Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec) {
-  Membrane<2> membrane;
-  membrane.name = spec.name;
-  membrane.body = spec.body;
-  membrane.closed = spec.closed;
-  membrane.axial_stiffness = spec.axial_stiffness;
-  membrane.strength = spec.strength;
-  membrane.contents_friction = slides(scene, spec) ? contents_friction(scene, spec) : 0;
-  membrane.gauge_length = spec.gauge_length;
-  membrane.half_size = 0.5 / spec.segments_per_cell;
+void draw_cloth(const Scene& scene, const MembraneSpec& spec, Membrane<2>& membrane) {
   const std::vector<Point> nodes = membrane_nodes(scene, spec);
   const std::size_t n = nodes.size();
-  for (int a = 0; a < 2; ++a) {
-    membrane.v[a].assign(n, 0.0);
+  for (int a = 0; a < 2; ++a)
     for (const Point& x : nodes) membrane.x[a].push_back(x[a]);
-  }
   membrane.mass.assign(n, 0.0);
   const std::size_t segments = spec.closed ? n : n - 1;
   for (std::size_t s = 0; s < segments; ++s) {
@@ -153,6 +113,24 @@ Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec) {
     membrane.mass[s] += 0.5 * spec.mass_per_area * rest;
     membrane.mass[end] += 0.5 * spec.mass_per_area * rest;
   }
+  set_cloth_velocity(scene, spec.body, membrane);
+}
+
+Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const State<2>* earlier) {
+  Membrane<2> membrane;
+  membrane.name = spec.name;
+  membrane.body = spec.body;
+  membrane.closed = spec.closed;
+  membrane.axial_stiffness = spec.axial_stiffness;
+  membrane.strength = spec.strength;
+  membrane.contents_friction = slides(scene, spec) ? contents_friction(scene, spec) : 0;
+  membrane.gauge_length = spec.gauge_length;
+  membrane.half_size = 0.5 / spec.segments_per_cell;
+  if (const Membrane<2>* from = earlier ? find_or_null(earlier->membranes, spec.name) : nullptr)
+    take_cloth(*from, membrane);
+  else
+    draw_cloth(scene, spec, membrane);
+  const std::size_t n = membrane.nodes(), segments = membrane.segments();
   membrane.strain.assign(segments, 0.0);
   membrane.tension.assign(segments, 0.0);
   if (spec.axial_stiffness > 0) membrane.gauge.sums.assign(gauge_slots * segments, 0.0);
@@ -182,14 +160,6 @@ Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec) {
   return membrane;
 }
 
-/// The body that a membrane in space encloses; "" if it is empty.
-std::string body_inside(const Scene& scene, const MembraneSpec& spec) {
-  for (const BodySpec& body : scene.bodies)
-    if (const auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == spec.name)
-      return body.name;
-  return "";
-}
-
 /// Corners, areas and edges at rest, (1 + slack) times what the cloth is cut out as.
 void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Membrane<3>& membrane) {
   const std::vector<Corner>& flat = surface.unstretched.empty() ? surface.points : surface.unstretched;
@@ -209,8 +179,16 @@ void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Mem
   }
 }
 
-Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec) {
+void draw_surface_cloth(const Scene& scene, const MembraneSpec& spec, Membrane<3>& membrane) {
   const TriangleSurface& surface = spec.drawn.region->surface();
+  for (std::size_t a = 0; a < 3; ++a)
+    for (const Corner& x : surface.points) membrane.x[a].push_back(x[a]);
+  membrane.mass.assign(surface.points.size(), 0.0);
+  set_triangles(spec, surface, membrane);
+  set_cloth_velocity(scene, membrane.body, membrane);
+}
+
+Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec, const State<3>* earlier) {
   Membrane<3> membrane;
   membrane.name = spec.name;
   membrane.body = body_inside(scene, spec);
@@ -223,16 +201,16 @@ Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec) {
   membrane.triangles.weft_strength = spec.weft_strength;
   membrane.triangles.mass_per_area = spec.mass_per_area;
   membrane.triangles.gauge_pressure = spec.gauge_pressure;
-  const std::size_t n = surface.points.size(), triangles = surface.triangles.size();
-  for (std::size_t a = 0; a < 3; ++a) {
-    membrane.v[a].assign(n, 0.0);
-    for (const Corner& x : surface.points) membrane.x[a].push_back(x[a]);
-  }
-  membrane.mass.assign(n, 0.0);
-  set_triangles(spec, surface, membrane);
+  if (const Membrane<3>* from = earlier ? find_or_null(earlier->membranes, spec.name) : nullptr)
+    take_cloth(*from, membrane);
+  else
+    draw_surface_cloth(scene, spec, membrane);
+  const std::size_t triangles = membrane.triangles.size();
   for (Array<double>* values : {&membrane.strain, &membrane.tension, &membrane.triangles.cross_tension})
     values->assign(triangles, 0.0);
   if (spec.axial_stiffness > 0) membrane.gauge.sums.assign(gauge_slots * triangles, 0.0);
+  membrane.sharp = spec.interface == Interface::sharp;
+  if (membrane.sharp) membrane.water_pressure.assign(triangles, 0.0);
   return membrane;
 }
 
@@ -273,7 +251,7 @@ void allocate_loads(State<Dim>& state, Wanted wanted) {
 
 /// Splits the initial pressure of enclosed fluids into that of their weight below their highest point, and the rest.
 template <int Dim>
-void enclose_fluids(const Scene& scene, State<Dim>& state) {
+void enclose_fluids(const Scene& scene, const State<Dim>* earlier, State<Dim>& state) {
   std::map<int, int> count;  // by field
   for (Body<Dim>& body : state.bodies) {
     if (body.pressure != PressureSupport::enclosed) continue;
@@ -281,20 +259,21 @@ void enclose_fluids(const Scene& scene, State<Dim>& state) {
     const Array<double>& height = body.x[vertical_axis<Dim>];
     body.enclosed = count[body.field]++;
     body.unit_weight = -scene.gravity[vertical_axis<Dim>] * fluid.density;
+    allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.closed && membrane.body == body.name; });
+    if (earlier && find_or_null(earlier->bodies, body.name)) continue;
     body.weightless_level = *std::max_element(height.begin(), height.end());
     for (std::size_t p = 0; p < body.size(); ++p) {
       const double pressure = fluid.bulk_modulus * (1 / body.J[p] - 1);
       body.J[p] = 1 / (1 + (pressure - body.unit_weight * (body.weightless_level - height[p])) / fluid.bulk_modulus);
     }
-    allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.closed && membrane.body == body.name; });
   }
 }
 
 /// Of the water in the place of a coupled soil only the share of the pores is there.
 template <int Dim>
-void fill_pores(const Scene& scene, State<Dim>& state) {
+void fill_pores(const Scene& scene, const State<Dim>* earlier, State<Dim>& state) {
   for (const BodySpec& spec : scene.bodies) {
-    if (spec.saturated_by.empty()) continue;
+    if (spec.saturated_by.empty() || (earlier && find_or_null(earlier->bodies, spec.saturated_by))) continue;
     const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model);
     Body<Dim>& water = find_named(state.bodies, spec.saturated_by);
     const auto inside = [](const BodySpec& body, const Point& x) { return contains(body.shape, x); };
@@ -331,30 +310,31 @@ void add_boundaries(const Scene& scene, State<2>& state) {
 }  // namespace
 
 template <int Dim>
-State<Dim> build_state(const Scene& scene) {
+State<Dim> build_state(const Scene& scene, const State<Dim>* earlier) {
   State<Dim> state;
   state.drift = -1;  // sort before the first step
   state.damping_rate = scene.solver.damping_rate;
   const std::vector<int> fields = velocity_fields(scene);
   for (std::size_t b = 0; b < fields.size(); ++b) {
-    state.bodies.push_back(build_body<Dim>(scene, scene.bodies[b]));
+    state.bodies.push_back(build_body<Dim>(scene, scene.bodies[b], earlier));
     state.bodies.back().field = fields[b];
   }
   if (scene.solver.transfer == Transfer::musl)  // it knows no gradients, and never renews them
     for (Body<Dim>& body : state.bodies)
       for (auto& component : body.affine) std::fill(component.begin(), component.end(), 0.0);
   for (const MembraneSpec& spec : scene.membranes) {
-    if constexpr (Dim == 2) state.membranes.push_back(build_membrane(scene, spec));
-    if constexpr (Dim == 3) state.membranes.push_back(build_surface(scene, spec));
-    state.membranes.back().field = field_of(state, state.membranes.back());
+    if constexpr (Dim == 2) state.membranes.push_back(build_membrane(scene, spec, earlier));
+    if constexpr (Dim == 3) state.membranes.push_back(build_surface(scene, spec, earlier));
+    Membrane<Dim>& membrane = state.membranes.back();
+    membrane.field = field_of(state, membrane);
   }
   add_contacts(scene, state);
   if (Dim == 3 && any_membrane_load(scene)) allocate_loads(state, [](const Membrane<Dim>&) { return true; });
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
   allocate_loads(state, [](const Membrane<Dim>& membrane) { return membrane.drag_coefficient > 0; });
-  enclose_fluids(scene, state);
-  fill_pores(scene, state);
+  enclose_fluids(scene, earlier, state);
+  fill_pores(scene, earlier, state);
   if constexpr (Dim == 2) add_boundaries(scene, state);
   for (const ProbeSpec& spec : scene.probes) {
     const auto* tracer = std::get_if<TracerSpec>(&spec.probe);
@@ -380,7 +360,7 @@ State<Dim> build_state(const Scene& scene) {
   return state;
 }
 
-template State<2> build_state<2>(const Scene&);
-template State<3> build_state<3>(const Scene&);
+template State<2> build_state<2>(const Scene&, const State<2>*);
+template State<3> build_state<3>(const Scene&, const State<3>*);
 
 }  // namespace geodrop

@@ -11,6 +11,7 @@
 
 #include "base/text.hpp"
 #include "doubts/doubtful_setting.hpp"
+#include "initial_state.hpp"
 #include "setup/memory_estimate.hpp"
 
 namespace geodrop {
@@ -25,7 +26,7 @@ template <int Dim>
 void try_steps(const Scene& scene, Effort& effort) {
   constexpr double longest_trial = 0.7;  // [s]
   constexpr int most_steps = 50;
-  State<Dim> state = build_state<Dim>(scene);
+  State<Dim> state = initial_state<Dim>(scene);
   effort.particles = static_cast<double>(state.particles());
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);

@@ -11,6 +11,7 @@
 
 #include "check_resumable.hpp"
 #include "doubts/doubts.hpp"
+#include "initial_state.hpp"
 #include "membrane/tension_gauge.hpp"
 #include "parts.hpp"
 #include "setup/memory_estimate.hpp"
@@ -66,7 +67,7 @@ template <int Dim>
 RunOutcome run_in(const Scene& scene, const RunOptions& options) {
   // The state comes first: a scene that cannot be built must not touch an earlier run's directory. What a run goes on
   // from is judged by it.
-  State<Dim> state = build_state<Dim>(scene);
+  State<Dim> state = initial_state<Dim>(scene);
   catch_signals();
   Output<Dim> output(scene, options);
   for (const std::string& note : scene_notes(scene)) output.log("note: " + note);

@@ -3,6 +3,7 @@
 #include <geodrop/step/pipeline.hpp>
 #include <geodrop/step/run.hpp>
 
+#include "initial_state.hpp"
 #include "pores/pores.hpp"
 #include "setup/memory_estimate.hpp"
 #include "solutions/initial_stress.hpp"
@@ -69,7 +70,7 @@ template std::vector<Fact> state_facts<3>(const Scene&, const State<3>&);
 std::vector<Fact> scene_facts(const Scene& scene) {
   require_memory(scene);
   std::vector<Fact> facts =
-      scene.dimension == 2 ? state_facts(scene, build_state<2>(scene)) : state_facts(scene, build_state<3>(scene));
+      scene.dimension == 2 ? state_facts(scene, initial_state<2>(scene)) : state_facts(scene, initial_state<3>(scene));
   facts.push_back({"memory_bytes_count", estimate_memory(scene).bytes});
   return facts;
 }

@@ -55,6 +55,21 @@ TEST_CASE("An ensemble of elastic columns: mean settlement goes as 1/E, runs tha
   CHECK(other.err.find("an ensemble of another design") != std::string::npos);
 }
 
+TEST_CASE("Keys joined by + have the same value in every run") {
+  const geodrop::TemporaryDirectory directory;
+  const fs::path output = fs::path(directory / "columns");
+  const std::string both = "output.history_interval+output.frame_interval=0.1:0.2";
+  REQUIRE(run_program(ensemble(output, {"--samples", "2", "--vary", both})).code == 0);
+  const auto table = csv(output / "manifest.csv");
+  REQUIRE(table.size() == 3);
+  CHECK(table[0][1] == "output.history_interval+output.frame_interval");
+  for (std::size_t i = 1; i < 3; ++i) {
+    const std::string scene = geodrop::read_file(output / table[i][0] / "scene.toml");
+    CHECK(scene.find("frame_interval = " + table[i][1]) != std::string::npos);
+    CHECK(scene.find("history_interval = " + table[i][1]) != std::string::npos);
+  }
+}
+
 TEST_CASE("Mistakes of an ensemble are told before the first run") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "none");

@@ -12,11 +12,11 @@ using namespace geodrop::test;
 namespace {
 
 /// A triangle of 3 m2 at rest whose node 0 is 0.01 m deep in a slope of 3 : 4; the others are outside.
-struct Slope {
+struct Incline {
   State<3> state;
   Vec<3> normal{0.6, 0.0, 0.8}, along{0.8, 0.0, -0.6}, across{0.0, 1.0, 0.0};
 
-  Slope(double friction, const Vec<3>& velocity) {
+  Incline(double friction, const Vec<3>& velocity) {
     RigidSpec spec;
     spec.name = "ground";
     spec.shape = HalfPlaneShape{{1, 2, 3}, {3, 0, 4}};
@@ -53,10 +53,10 @@ struct Slope {
 
 TEST_CASE("A node in a half-space is pushed out by stiffness, damping and the area of its cloth") {
   // 1 m2: 1e5 * 0.01 - 100 * (-2) = 1200 N; on its way out 100 N less for each m/s, never a pull.
-  CHECK((Slope(0, Vec<3>(0.6, 0, 0.8) * -2).push(1e-3) - 1200 * Vec<3>(0.6, 0, 0.8)).norm() < 1e-9);
-  CHECK((Slope(0, Vec<3>(0.6, 0, 0.8) * 4).push(1e-3) - 600 * Vec<3>(0.6, 0, 0.8)).norm() < 1e-9);
-  CHECK(Slope(0, Vec<3>(0.6, 0, 0.8) * 40).push(1e-3).norm() < 1e-9);
-  Slope slope(0.3, Vec<3>::Zero());
+  CHECK((Incline(0, Vec<3>(0.6, 0, 0.8) * -2).push(1e-3) - 1200 * Vec<3>(0.6, 0, 0.8)).norm() < 1e-9);
+  CHECK((Incline(0, Vec<3>(0.6, 0, 0.8) * 4).push(1e-3) - 600 * Vec<3>(0.6, 0, 0.8)).norm() < 1e-9);
+  CHECK(Incline(0, Vec<3>(0.6, 0, 0.8) * 40).push(1e-3).norm() < 1e-9);
+  Incline slope(0.3, Vec<3>::Zero());
   slope.push(1e-3);
   CHECK(slope.state.rigid_contacts[0].points == Array<std::uint32_t>{0});
   CHECK(vector_at(slope.state.membranes[0].load, 1).norm() == 0);
@@ -64,7 +64,7 @@ TEST_CASE("A node in a half-space is pushed out by stiffness, damping and the ar
 
 TEST_CASE("Friction is a spring against the way along the surface, in any direction, up to mu times the normal force") {
   const Vec<3> velocity = 3 * Vec<3>(0.8, 0, -0.6) + 4 * Vec<3>(0, 1, 0);  // 5 m/s along the slope
-  Slope slope(0.5, velocity);
+  Incline slope(0.5, velocity);
   // 1 ms: 5 mm, 500 N, at the limit of 0.5 * 1000 N; half of that after half the way.
   CHECK((slope.push(0.5e-3) - 1000 * slope.normal + 250 * velocity / 5).norm() < 1e-9);
   CHECK((slope.push(0.5e-3) - 1000 * slope.normal + 500 * velocity / 5).norm() < 1e-9);

@@ -17,8 +17,8 @@ const SpanShape even{1.0}, uneven{2.0, 0.4, 0.7};
 /// Moments of a whole face.
 constexpr FaceMoments whole_face{1, 0, 1.0 / 12};
 
-Slope of_whole_faces(const CellSpans& cell) {
-  Slope slope{};
+Slope<2> of_whole_faces(const CellSpans<2>& cell) {
+  Slope<2> slope{};
   for (int axis = 0; axis < 2; ++axis)
     for (int side = 0; side < 2; ++side) add_face(whole_face, axis, side, cell, slope);
   return slope;
@@ -63,8 +63,8 @@ TEST_CASE("The slope of int N is N, on spans with unlike neighbours too; mirrore
 }
 
 TEST_CASE("Over a whole cell int grad N and int N are products of those along the axes") {
-  const Slope slope = whole_cell({SpanShape{2.0}, SpanShape{3.0}});
-  const std::array<double, 9> value = whole_value({SpanShape{2.0}, SpanShape{3.0}});
+  const Slope<2> slope = whole_cell<2>({SpanShape{2.0}, SpanShape{3.0}});
+  const std::array<double, 9> value = whole_value<2>({SpanShape{2.0}, SpanShape{3.0}});
   CHECK(slope[0][0] == near(-0.5 * 3.0 / 6, 1e-14));  // of the node below on both axes
   CHECK(slope[0][1] == near(-0.5 * 2.0 / 6, 1e-14));
   CHECK(slope[5][0] == near(0.5 * 3.0 * 2 / 3, 1e-14));  // above along x, its own row
@@ -76,15 +76,15 @@ TEST_CASE("Over a whole cell int grad N and int N are products of those along th
 }
 
 TEST_CASE("int grad N over a cell is that of N n over its four whole faces") {
-  for (const CellSpans& cell : {CellSpans{even, even}, CellSpans{uneven, even}, CellSpans{even, uneven}}) {
-    const Slope faces = of_whole_faces(cell), whole = whole_cell(cell);
+  for (const CellSpans<2>& cell : {CellSpans<2>{even, even}, CellSpans<2>{uneven, even}, CellSpans<2>{even, uneven}}) {
+    const Slope<2> faces = of_whole_faces(cell), whole = whole_cell(cell);
     for (int n = 0; n < 9; ++n)
       for (int a = 0; a < 2; ++a) CHECK(faces[n][a] == within(whole[n][a], 1e-15));
   }
 }
 
 TEST_CASE("A face that is inside in part reaches the nodes on its two sides, by the splines along it") {
-  Slope slope{};
+  Slope<2> slope{};
   // The lower half of the right face: int N along it from the bottom to the middle.
   add_face({0.5, -0.125, 1.0 / 24}, 0, 1, {even, even}, slope);
   const double along[] = {7.0 / 48, 1.0 / 3, 1.0 / 48};
@@ -143,7 +143,7 @@ TEST_CASE("The nodes around a cell run along x first; spans have the widths of t
   for (int n = 0; n < 9; ++n) CHECK(node_around(layout, flat, n) == layout.index({4 + n % 3, 6 + n / 3}));
   const double x = layout.knots[0][5 + 2].width, y = layout.knots[1][7 + 2].width;
   REQUIRE(x != y);
-  CHECK(cell_area(layout, flat) == near(x * y, 1e-14));
+  CHECK(cell_size(layout, flat) == near(x * y, 1e-14));
   CHECK(least_width(layout, flat) == std::min(x, y));
   CHECK(span_of(layout, 0, flat).width == x);
   CHECK(span_of(layout, 1, flat).width == y);

@@ -3,53 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "cut/clipped_cells.hpp"
-#include "geometry/surface_generators.hpp"
 #include "membrane/triangles.hpp"
 #include "support/near.hpp"
+#include "support/surfaces.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;
-
-namespace {
-
-GridLayout<3> small_grid(double h) {
-  GridSpec spec;
-  spec.lower = {-2, -2, -2};
-  spec.upper = {2, 2, 2};
-  spec.spacing = h;
-  spec.basis = Basis::bspline2;
-  WallsSpec walls;
-  for (auto* side : {&walls.lower, &walls.upper}) side->assign(3, WallKind::slip);
-  return {spec, walls};
-}
-
-Membrane<3> membrane_of(const TriangleSurface& surface) {
-  Membrane<3> membrane;
-  for (const Corner& x : surface.points)
-    for (std::size_t a = 0; a < 3; ++a) membrane.x[a].push_back(x[a]);
-  membrane.mass.assign(surface.points.size(), 1.0);
-  for (const auto& t : surface.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) membrane.triangles.corner[k].push_back(t[k]);
-    membrane.triangles.rest_area.push_back(1);
-  }
-  return membrane;
-}
-
-/// A ball; with corners on planes of the grid; folded and cut by itself.
-std::vector<TriangleSurface> surfaces() {
-  TriangleSurface ball = ellipsoid_surface({0.03, 0.05, 0.07}, {1, 0.8, 1.2}, 0.15), on_planes = ball, torn = ball;
-  for (Corner& x : on_planes.points)
-    for (double& c : x) c = std::round(8 * c) / 8 + 0.125;
-  std::mt19937_64 generator(5);
-  for (Corner& x : torn.points)
-    for (double& c : x) c += 0.2 * (static_cast<double>(generator() >> 11) / (1ULL << 53) - 0.5);
-  return {ball, on_planes, torn};
-}
-
-}  // namespace
 
 TEST_CASE("Shares of cells add up to the volume inside; pieces to the triangles") {
   const GridLayout<3> layout = small_grid(0.25);

@@ -142,12 +142,12 @@ TEST_CASE("int grad N over the part of a cell inside, by hand; the part outside 
     SharpBox box({}, sense);
     box.fill_cells();
     share_interface_pressure(box.state, box.grids);
-    const PartCell &in = box.part(box.inside(), 3, 4), &out = box.part(box.around(), 3, 4);
+    const PartCell<2>&in = box.part(box.inside(), 3, 4), &out = box.part(box.around(), 3, 4);
     // From x = 2.75 to 3.5 of the cell around 3, over its whole height.
     const double rise[] = {0.0 - 0.28125, 0.5 - 0.6875, 0.5 - 0.03125};
     const std::array<double, 3> to_edge = integrals_to({1.0}, -0.25);
     const double along[] = {1.0 / 6, 2.0 / 3, 1.0 / 6}, slope_y[] = {-0.5, 0, 0.5};
-    const Slope whole = whole_cell({SpanShape{1.0}, SpanShape{1.0}});
+    const Slope<2> whole = whole_cell<2>({SpanShape{1.0}, SpanShape{1.0}});
     for (int n = 0; n < 9; ++n) {
       const int x = n % 3, y = n / 3;
       const double value_x = along[x] - to_edge[x];
@@ -243,7 +243,7 @@ TEST_CASE("The other side counts as full: its area in all, 1 at nodes that see n
 TEST_CASE("The force of a part replaces that of its whole cell, pressure times the difference of their integrals") {
   SharpBox box;
   Grid<2>& grid = box.inside();
-  PartCell part{box.flat(5, 5), -1};
+  PartCell<2> part{box.flat(5, 5), -1};
   part.slope[8] = {0.7, -0.2};
   grid.part_cells = {part};
   grid.cell_pressure[part.flat] = 100;
@@ -259,7 +259,7 @@ TEST_CASE("A group has one volume rate: the flow out of all its parts over their
   SharpBox box;
   Grid<2>& grid = box.inside();
   const int host = box.flat(5, 5), guest = box.flat(6, 5);
-  PartCell one{host, host}, two{guest, host}, alone{box.flat(8, 8), -1};
+  PartCell<2> one{host, host}, two{guest, host}, alone{box.flat(8, 8), -1};
   one.slope[4] = {2, 0};
   two.slope[4] = {0, 3};
   alone.slope[4] = {5, 5};

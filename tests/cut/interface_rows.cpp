@@ -25,19 +25,23 @@ std::vector<Stretch> stretches_of(SharpBox& box) {
 /// Lengths and pieces of all stretches.
 std::pair<double, std::size_t> sums(const std::vector<Stretch>& stretches) {
   std::pair<double, std::size_t> sum{0, 0};
-  for (const Stretch& stretch : stretches) sum = {sum.first + stretch.length, sum.second + stretch.count};
+  for (const Stretch& stretch : stretches) sum = {sum.first + stretch.size, sum.second + stretch.count};
   return sum;
 }
 
 /// Sum of the entries of a row times the root of the masses that they were divided by, by field: of vectors, x and y.
-std::array<std::array<double, 2>, 2> impulses(const Rows& rows) {
+std::array<std::array<double, 2>, 2> impulses(const Rows<2>& rows) {
   const SparseRows E = rows.matrix();
   std::array<std::array<double, 2>, 2> sum{};
   for (SparseRows::InnerIterator entry(E, 0); entry; ++entry) {
-    const Columns::Place& place = rows.columns().places()[entry.col() / 2];
+    const Columns<2>::Place& place = rows.columns().places()[entry.col() / 2];
     sum[place.field][entry.col() % 2] += entry.value() * place.root_mass;
   }
   return sum;
+}
+
+bool add(Rows<2>& rows, const SharpBox& box, int field, int other, const std::vector<NodeVector<2>>& vectors) {
+  return rows.add(make_row(box.grids, field, other, vectors));
 }
 
 }  // namespace
@@ -49,7 +53,7 @@ TEST_CASE("Stretches run from cell to cell, all round a wet outline") {
     CHECK(stretches.size() == 12);  // cells 3 to 6 along both axes, but for the four in the midst
     CHECK(sums(stretches).first == near(2 * (3.05 + 3.5), 1e-13));
     CHECK(sums(stretches).second == box.inside().outline.pieces.size());
-    for (const Stretch& stretch : stretches) CHECK(stretch.length > 0.9);
+    for (const Stretch& stretch : stretches) CHECK(stretch.size > 0.9);
   }
 }
 
@@ -86,7 +90,7 @@ TEST_CASE("A stretch shorter than a quarter of a cell joins its neighbour") {
     CHECK(in_tip == near(2 * (tip - 5.5) * std::hypot(tip - 3, 0.8) / (tip - 3), 1e-12));
     CHECK(sums(stretches).first == near(perimeter, 1e-13));
     int alone = 0;
-    for (const Stretch& stretch : stretches) alone += std::abs(stretch.length - in_tip) < 1e-12;
+    for (const Stretch& stretch : stretches) alone += std::abs(stretch.size - in_tip) < 1e-12;
     CHECK(alone == (in_tip < 0.25 ? 0 : 1));
   }
 }
@@ -105,11 +109,11 @@ TEST_CASE("Line integrals of N n add up to the normals of a stretch, those of N 
         normal[1] -= sign * part * d[0];
       });
       const auto integrals = [&](Direction direction) {
-        return line_integrals(box.around().layout, box.skin(), cells, stretch, direction);
+        return integrals_over(box.around().layout, box.skin(), cells, stretch, direction);
       };
-      for (const NodeVector& vector : integrals(Direction::normal))
+      for (const NodeVector<2>& vector : integrals(Direction::normal))
         for (int a = 0; a < 2; ++a) n[a] += vector.value[a];
-      for (const NodeVector& vector : integrals(Direction::tangent))
+      for (const NodeVector<2>& vector : integrals(Direction::tangent))
         for (int a = 0; a < 2; ++a) t[a] += vector.value[a];
       for (int a = 0; a < 2; ++a) CHECK(n[a] == within(normal[a], 1e-14));
       CHECK(t[0] == within(-normal[1], 1e-14));
@@ -120,9 +124,9 @@ TEST_CASE("Line integrals of N n add up to the normals of a stretch, those of N 
 
 TEST_CASE("Walls hold the normal component of their nodes, no-slip walls both") {
   for (const WallKind wall : {WallKind::slip, WallKind::no_slip}) {
-    SharpBox box({}, Sense::anticlockwise, wall);
+    SharpBox box({0.75, 11.25, 0.75, 11.25}, Sense::anticlockwise, wall);
     for (Grid<2>& grid : box.grids) box.set_mass(grid, 4.0);
-    Columns columns(box.grids);
+    Columns<2> columns(box.grids);
     const bool sticks = wall == WallKind::no_slip;
     struct Node {
       int i, j;
@@ -135,7 +139,7 @@ TEST_CASE("Walls hold the normal component of their nodes, no-slip walls both") 
       CAPTURE(node.i);
       CAPTURE(node.j);
       const int number = columns.of(1, box.flat(node.i, node.j));
-      const Columns::Place& place = columns.places()[number / 2];
+      const Columns<2>::Place& place = columns.places()[number / 2];
       CHECK(place.fixed == node.fixed);
       CHECK(place.root_mass == 2.0);
       CHECK(place.field == 1);
@@ -151,8 +155,8 @@ TEST_CASE("A row adds up one field's vectors over the roots of the masses and ta
   SharpBox box;
   box.set_mass(box.inside(), 4e3);
   box.set_mass(box.around(), 9e3);
-  Rows rows(box.grids);
-  REQUIRE(rows.add(1, 0, {{box.flat(5, 5), {0.5, 0}}, {box.flat(5, 6), {0.25, -1}}}));
+  Rows<2> rows(box.grids);
+  REQUIRE(add(rows, box, 1, 0, {{box.flat(5, 5), {0.5, 0}}, {box.flat(5, 6), {0.25, -1}}}));
   const Eigen::MatrixXd E = rows.matrix();
   REQUIRE(E.rows() == 1);
   REQUIRE(E.cols() == 8);
@@ -174,15 +178,15 @@ TEST_CASE("A light node keeps its share of a vector and hands on the rest by mas
   for (const double mass : {5.0, 0.0}) {
     CAPTURE(mass);
     box.inside().sum[box.flat(5, 5)][3] = mass;
-    Rows rows(box.grids);
-    REQUIRE(rows.add(1, 0, {{box.flat(5, 5), {0.6, -0.3}}}));
+    Rows<2> rows(box.grids);
+    REQUIRE(add(rows, box, 1, 0, {{box.flat(5, 5), {0.6, -0.3}}}));
     const auto sum = impulses(rows);
     CHECK(sum[1][0] == near(0.6, 1e-13));
     CHECK(sum[1][1] == near(-0.3, 1e-13));
     CHECK(sum[0][0] == near(-0.6, 1e-13));
     const Eigen::MatrixXd E = rows.matrix();
     for (std::size_t n = 0; n < rows.columns().places().size(); ++n) {
-      const Columns::Place& place = rows.columns().places()[n];
+      const Columns<2>::Place& place = rows.columns().places()[n];
       if (place.field != 1) continue;
       const double kept = mass / light, spread = (1 - kept) * place.root_mass * place.root_mass / (8000 + mass);
       const double share = spread + (place.node == box.flat(5, 5) ? kept : 0.0);
@@ -194,12 +198,12 @@ TEST_CASE("A light node keeps its share of a vector and hands on the rest by mas
 TEST_CASE("What has no mass around goes to the nodes that the row reaches; with none at all there is no row") {
   SharpBox box;
   box.set_mass(box.around(), 1000);
-  Rows rows(box.grids);
-  CHECK_FALSE(rows.add(1, 0, {{box.flat(5, 5), {1, 0}}}));
-  CHECK_FALSE(rows.add(0, 1, {{box.flat(5, 5), {1, 0}}}));
+  Rows<2> rows(box.grids);
+  CHECK_FALSE(add(rows, box, 1, 0, {{box.flat(5, 5), {1, 0}}}));
+  CHECK_FALSE(add(rows, box, 0, 1, {{box.flat(5, 5), {1, 0}}}));
   CHECK(rows.count() == 0);
   box.inside().sum[box.flat(2, 2)][3] = 1000;
-  REQUIRE(rows.add(1, 0, {{box.flat(2, 2), {1, 0}}, {box.flat(8, 8), {0.5, 2}}}));
+  REQUIRE(add(rows, box, 1, 0, {{box.flat(2, 2), {1, 0}}, {box.flat(8, 8), {0.5, 2}}}));
   CHECK(rows.count() == 1);
   const auto sum = impulses(rows);
   CHECK(sum[1][0] == near(1.5, 1e-13));
@@ -211,8 +215,8 @@ TEST_CASE("Pressures change velocities by dt p b / m, in opposite senses, and wh
   SharpBox box;
   box.set_mass(box.inside(), 4e3);
   box.set_mass(box.around(), 9e3);
-  Rows rows(box.grids);
-  REQUIRE(rows.add(1, 0, {{box.flat(5, 5), {0.5, -0.25}}}));
+  Rows<2> rows(box.grids);
+  REQUIRE(add(rows, box, 1, 0, {{box.flat(5, 5), {0.5, -0.25}}}));
   Eigen::VectorXd pressure(1);
   pressure << 2e3;
   box.inside().velocity[box.flat(5, 5)] = Vec4{1, 1, 0, 0};
@@ -221,4 +225,18 @@ TEST_CASE("Pressures change velocities by dt p b / m, in opposite senses, and wh
   CHECK(box.inside().velocity[box.flat(5, 5)][1] == near(1 + 0.01 * 2e3 * 0.25 / 4e3, 1e-14));
   CHECK(box.around().velocity[box.flat(5, 5)][0] == near(0.01 * 2e3 * 0.5 / 9e3, 1e-14));
   CHECK(box.inside().velocity_change[box.flat(5, 5)][0] == near(-0.01 * 2e3 * 0.5 / 4e3, 1e-14));
+}
+
+TEST_CASE("A B^T, entry by entry") {
+  SparseRows A(2, 4), B(3, 4);
+  A.insert(0, 0) = 2, A.insert(0, 3) = -1, A.insert(1, 1) = 4;
+  B.insert(0, 3) = 5, B.insert(1, 0) = 3, B.insert(1, 1) = 0.5, B.insert(2, 2) = 7;
+  A.makeCompressed(), B.makeCompressed();
+  const Eigen::MatrixXd product = times_transpose(A, B);
+  const Eigen::MatrixXd expected{{-5, 6, 0}, {0, 2, 0}};
+  CHECK((product - expected).norm() < 1e-15);
+  const Eigen::MatrixXd square = times_transpose(A, A), both{{5, 0}, {0, 16}};
+  CHECK((square - both).norm() < 1e-15);
+  const SparseRows C = B * A.transpose();
+  CHECK((Eigen::MatrixXd(times_transpose(C, C)) - Eigen::MatrixXd(C * C.transpose())).norm() < 1e-13);
 }

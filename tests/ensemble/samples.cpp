@@ -3,6 +3,7 @@
 
 #include <geodrop/base/error.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -17,9 +18,18 @@ TEST_CASE("A range is KEY=LOW:HIGH") {
   CHECK(parse_variation("a.b=1.5:2") == Variation{"a.b", 1.5, 2, false});
   CHECK(parse_variation("bodies.water.jitter_seed=1:20") == Variation{"bodies.water.jitter_seed", 1, 20, true});
   CHECK(parse_variation("x=-3e-4:1e5") == Variation{"x", -3e-4, 1e5, false});
-  for (const char* wrong :
-       {"", "x", "x=", "x=1", "x=1:", "x=:2", "=1:2", "x=2:1", "x=1:2:3", "x=nan:2", "x=1:inf", "x=a:b"})
+  CHECK(parse_variation("a+b=1:100:log") == Variation{"a+b", 1, 100, false, true});
+  for (const char* wrong : {"", "x", "x=", "x=1", "x=1:", "x=:2", "=1:2", "x=2:1", "x=1:2:3", "x=0:2:log", "x=1:2:lin",
+                            "x=1:2:log:", "x=nan:2", "x=1:inf", "x=a:b"})
     CHECK_THROWS_AS(parse_variation(wrong), SceneError);
+}
+
+TEST_CASE("A range by factors: as many samples in each decade") {
+  const auto values = latin_hypercube({{"k", 1e-5, 1e-2, false, true}}, 30, 1);
+  for (const double decade : {1e-5, 1e-4, 1e-3})
+    CHECK(std::ranges::count_if(
+              values, [&](const auto& sample) { return sample[0] >= decade && sample[0] < 10 * decade; }) == 10);
+  CHECK(variation_text({"k", 1e-5, 1e-2, false, true}) == "k=1e-05:0.01:log");
 }
 
 TEST_CASE("Latin hypercube: one value of each key in each part of its range, another order for each seed and key") {

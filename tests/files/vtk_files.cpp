@@ -1,5 +1,6 @@
 // Frames read back with VTK, and what happens when the disk does not take them.
 #include <geodrop/base/error.hpp>
+#include <geodrop/base/find_named.hpp>
 #include <geodrop/measure/measure.hpp>
 
 #include "files/frame_writer.hpp"
@@ -126,6 +127,18 @@ TEST_CASE("the six components of three dimensions are in VTK's order") {
   const ParticleSnapshot particles = take_snapshot(state, materials).particles;
   CHECK(particles.points == std::vector<double>{1, 2, 3});
   CHECK(particles.fields[2].values == std::vector<float>{1, 2, 3, 4, 5, 6});  // XX YY ZZ XY YZ XZ, as in types.hpp
+}
+
+TEST_CASE("only the fields that are asked for are copied, in the order of all") {
+  const ParticleSnapshot all = take_snapshot(small_state(), materials).particles;
+  const ParticleSnapshot some = take_snapshot(small_state(), materials, {"density", "velocity"}).particles;
+  REQUIRE(some.fields.size() == 2);
+  CHECK(some.fields[0].name == "velocity");
+  CHECK(some.fields[0].values == all.fields[0].values);
+  CHECK(some.fields[1].name == "density");
+  CHECK(some.fields[1].values == find_named(all.fields, "density").values);
+  CHECK(some.points == all.points);
+  CHECK(some.id == all.id);
 }
 
 TEST_CASE("files are inline binary, compressed on request only") {

@@ -129,7 +129,7 @@ TEST_CASE("Where bodies differ in rho c^2 a cell has the mean of its own") {
 TEST_CASE("Parts of cells beside a sharp interface keep their pressure, which has joined the force already") {
   Grid<2> grid = full_grid<2>(box_scene<2>(9, 0.25, WallKind::slip));
   for (Vec4& sum : grid.sum) sum[3] *= 1e-3;
-  PartCell part;
+  PartCell<2> part;
   part.flat = grid.layout.index({3, 3});
   grid.part_cells.push_back(part);
   soften_light_cells(grid, 10 * dt);

@@ -92,6 +92,11 @@ TEST_CASE("Sharp interface: stopped and resumed, the same") {
   check_resumed("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.1"}, "0.031");
 }
 
+TEST_CASE("Sharp interface in space: stopped and resumed, the same") {
+  check_resumed("cases/verification/sphere_release_3d.toml",
+                {"grid.spacing=0.5", "bodies.water.jitter=0.2", "time.end=0.006"}, "0.002");
+}
+
 TEST_CASE("Sand with open voids: stopped and resumed, the same") {
   check_resumed("tests/scenes/thrown_sand.toml", {"bodies.column.jitter=0.2", "time.end=0.5"}, "0.21");
 }

@@ -121,6 +121,11 @@ TEST_CASE("Bare and skinned blocks between rigid bodies that move: one hash for 
   check_threads("tests/scenes/ramp.toml", {"grid.spacing=0.03125", "time.end=0.15"});
 }
 
+TEST_CASE("Sharp interface in space: one hash for 1, 2, 3 and 5 threads") {
+  // Fine enough for threads to be used in the blocks of the grid and in the solution.
+  check_threads("cases/verification/sphere_release_3d.toml", {"time.end=0.002"});
+}
+
 TEST_CASE("Tube on the ground, enclosed, pumped up, with contact and relaxation: one hash for 1, 2, 3 and 5 threads") {
   check_threads("tests/scenes/tube.toml", {"time.end=0.25"});
 }

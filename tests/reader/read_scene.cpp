@@ -69,7 +69,7 @@ TEST_CASE("numerics as written") {
   CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
   CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0, MassMatrix::lumped, true});
   CHECK(scene.time.end == 2.0);
-  CHECK(scene.output == OutputSpec{0.1, 0.01, true});
+  CHECK(scene.output == OutputSpec{0.1, 0.01, true, {"velocity", "stress"}});
   CHECK(scene.checkpoints == CheckpointSpec{60.0, 0.5});
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("silent sides as written") {
 
 TEST_CASE("bodies as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.bodies.size() == 11);
+  REQUIRE(scene.bodies.size() == 12);
   const BodySpec &sea = scene.bodies[0], &bed = scene.bodies[1], &bag = scene.bodies[2], &wedge = scene.bodies[3],
                  &bar = scene.bodies[4];
   CHECK(sea.shape == Shape{BoxShape{{0, 2}, {10, 7}}});
@@ -132,7 +132,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 150);
+  CHECK(sea.at.line == 152);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});
@@ -146,6 +146,7 @@ TEST_CASE("bodies as written") {
   CHECK(bar.initial_velocity == InitialVelocity{BarFirstModeSpec{0.1, 1, 25}});
   const LinearVelocitySpec spin{{{0, -1}, {1, 0}}, {9.5, 9.25}};
   CHECK(scene.bodies[5].initial_velocity == InitialVelocity{spin});
+  CHECK(scene.bodies[6].initial_velocity == InitialVelocity{PulseVelocitySpec{{0, 0.1}, 0, {5.25, 9.5}, 0.4}});
 }
 
 TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {

@@ -30,6 +30,24 @@ TEST_CASE("A sharp interface needs cells that are knot spans, their pressure on 
   CHECK(bag.find(key + "with nothing around") != std::string::npos);
 }
 
+TEST_CASE("In space: uniform axes, a body inside, nothing that hinders slip") {
+  const std::string scene = source_path("cases/verification/sphere_release_3d.toml"), membrane = "membranes.skin.";
+  const auto check = [&](const std::vector<std::string>& overrides, const std::string& says) {
+    const std::string error = scene_error(scene, overrides);
+    CAPTURE(error);
+    CHECK(error.find(says) != std::string::npos);
+  };
+  CHECK(scene_error(scene).empty());
+  const std::string key = membrane + "interface: found \"sharp\" ";
+  check({"grid.refine=[{axis='x',from=-1.0,to=1.0,spacing=0.125}]"}, key + "in space on graded axes");
+  check({"bodies.ball.shape={type='ellipsoid',centre=[0.0,0.0,0.0],semi_axes=[1.0,1.0,1.0]}"},
+        key + "on an empty membrane");
+  check({"bodies.ball.pressure=particle"}, key + "around a body whose pressure is not that of cells");
+  check({"bodies.water.pressure=particle"}, key + "with nothing around");
+  check({membrane + "shear=no_slip"}, membrane + "shear: found what hinders slip along a membrane in space");
+  check({membrane + "drag_coefficient=1.2"}, membrane + "drag_coefficient");
+}
+
 TEST_CASE("A bed is a body that is there, and friction is on a bed") {
   check_refused({"membranes.geotextile.bed=bad"}, "membranes.geotextile.bed: found \"bad\"");
   check_refused({"membranes.geotextile.bed=\"\""}, "membranes.geotextile.bed_friction: found 0.5 without a bed");

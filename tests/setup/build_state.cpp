@@ -74,6 +74,40 @@ TEST_CASE("A linear field: v = gradient (x - centre), and the gradient goes with
   }
 }
 
+TEST_CASE("A pulse: value cos^2 in the middle, nothing beyond half its width, the affine rate is the derivative") {
+  const std::string field = "{type='pulse', value=[0.5, -2.0], axis='x', centre=[10.0, 0.0], width=4.0}";
+  const State<2> state =
+      build_state<2>(read_scene(source_path("cases/elastic_bar.toml"), {"bodies.bar.initial_velocity=" + field}));
+  const Body<2>& bar = state.bodies[0];
+  int inside = 0;
+  for (std::size_t p = 0; p < bar.size(); ++p) {
+    const double away = bar.x[0][p] - 10, phase = std::numbers::pi * away / 4;
+    const bool moves = std::abs(away) < 2;
+    inside += moves;
+    const double share = moves ? std::cos(phase) * std::cos(phase) : 0;
+    const double slope = moves ? -std::numbers::pi / 4 * 2 * std::cos(phase) * std::sin(phase) : 0;
+    CHECK(bar.v[0][p] == within(0.5 * share, 1e-14));
+    CHECK(bar.v[1][p] == within(-2 * share, 1e-14));
+    CHECK(bar.affine[0][p] == within(0.5 * slope, 1e-14));
+    CHECK(bar.affine[2][p] == within(-2 * slope, 1e-14));
+    CHECK(bar.affine[1][p] == 0);
+    CHECK(bar.affine[3][p] == 0);
+  }
+  CHECK(inside > 0);
+}
+
+TEST_CASE("The geotextile of a bag that is thrown moves with the bag from the start") {
+  const std::string field = "{type='linear', gradient=[[0.5, -2.0], [3.0, 0.25]], centre=[1.0, 2.0]}";
+  const State<2> state = build_state<2>(
+      read_scene(source_path("cases/dump_kekerdom_mixture.toml"), {"bodies.container.initial_velocity=" + field}));
+  const Membrane<2>& m = state.membranes[0];
+  for (std::size_t k = 0; k < m.nodes(); ++k) {
+    const double x = m.x[0][k] - 1, y = m.x[1][k] - 2;
+    CHECK(m.v[0][k] == within(0.5 * x - 2 * y, 1e-12));
+    CHECK(m.v[1][k] == within(3 * x + 0.25 * y, 1e-12));
+  }
+}
+
 TEST_CASE("With MUSL, which never renews them, particles start without gradients of velocity") {
   const State<2> state = build_state<2>(read_scene(source_path("cases/elastic_bar.toml"), {"solver.transfer=musl"}));
   for (const auto& component : state.bodies[0].affine)

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "files/snapshot.hpp"
 #include "grid/blocks.hpp"
 #include "grid/sort_particles.hpp"
+#include "measure/particle_columns.hpp"
 #include "state/archive.hpp"
 #include "support/random_particles.hpp"
 #include "transfer/chunk_laws.hpp"

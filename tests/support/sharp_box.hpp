@@ -109,9 +109,9 @@ struct SharpBox {
   }
 
   /// The part that a field has of a cell.
-  const PartCell& part(const Grid<2>& grid, int i, int j) const {
+  const PartCell<2>& part(const Grid<2>& grid, int i, int j) const {
     const auto found = std::find_if(grid.part_cells.begin(), grid.part_cells.end(),
-                                    [&](const PartCell& p) { return p.flat == flat(i, j); });
+                                    [&](const PartCell<2>& p) { return p.flat == flat(i, j); });
     if (found == grid.part_cells.end()) throw std::runtime_error("the field has no part of this cell");
     return *found;
   }

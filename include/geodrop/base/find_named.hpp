@@ -20,4 +20,11 @@ auto& find_named(List& list, const std::string& name) {
   return *found;
 }
 
+/// Null if the list has none of this name.
+template <class List>
+auto find_or_null(List& list, const std::string& name) -> decltype(&*list.begin()) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
 }  // namespace geodrop

@@ -12,6 +12,7 @@
 #include <geodrop/grid/graded_axis.hpp>
 #include <geodrop/scene/numerics.hpp>
 #include <geodrop/state/fields.hpp>
+#include <type_traits>
 #include <vector>
 
 namespace geodrop {
@@ -161,12 +162,49 @@ struct EnclosedCells : CutCells {
   Array<double> rate;      ///< D_c of all cells, by the flat index of the grid [1/s]
 };
 
-/// A cell that a velocity field has a part of: a body across a sharp interface has the rest (2D), see interface/.
+/// The cells that the triangles of a sharp membrane cut, see cut/clipped_surface; pieces stand flank by flank.
+struct ClippedSurface : ClippedCells {
+  /// What faces one way of the surface in a cell. Integrals over its area [h2], h = 1.
+  struct Flank {
+    int cell;
+    std::uint32_t first_piece, pieces;
+    double area;
+    std::array<double, 3> normal;                  ///< int n dA, outwards
+    std::array<std::array<double, 3>, 27> spline;  ///< int N n dA of the nodes around the cell, x fastest
+    std::array<double, 27> beside;                 ///< int (int N dx from the cell's left face) n_x dA
+  };
+  /// A part of the surface with one multiplier: some flanks in a row, the first of which is large enough for itself.
+  struct Patch {
+    std::uint32_t first_flank, flanks;
+    double area;
+  };
+  std::vector<Flank> flanks;  ///< patch by patch
+  std::vector<Patch> patches;
+};
+
+/// The cells that a sharp membrane cuts.
+template <int Dim>
+using Outline = std::conditional_t<Dim == 2, CutCells, ClippedSurface>;
+
+/// The nodes whose quadratic splines reach a cell: 3 along each axis, x fastest.
+template <int Dim>
+inline constexpr int nodes_around = Dim == 2 ? 9 : 27;
+
+/// int grad N over a part of a cell, of the nodes around [m, m2].
+template <int Dim>
+using Slope = std::array<std::array<double, Dim>, nodes_around<Dim>>;
+
+/// int N over a part of a cell, of the nodes around [m2, m3].
+template <int Dim>
+using SplineVolumes = std::array<double, nodes_around<Dim>>;
+
+/// A cell that a velocity field has a part of: a body across a sharp interface has the rest, see cut/.
+template <int Dim>
 struct PartCell {
   int flat = 0;
-  int host = -1;  ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
-  std::array<std::array<double, 2>, 9> slope{};  ///< int grad N over the part, of the 3 x 3 nodes around, x fastest [m]
-  std::array<double, 9> elsewhere{};             ///< int N over the rest of the cell, likewise [m2]
+  int host = -1;       ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
+  Slope<Dim> slope{};  ///< over the part
+  SplineVolumes<Dim> elsewhere{};  ///< over the rest of the cell
 };
 
 /// What a field of the grid takes part in, and what needs it.
@@ -292,8 +330,8 @@ struct Grid : GridFields {
   std::vector<EnclosedCells> enclosed;  ///< of the bodies with PressureSupport::enclosed
 
   // Only where fields meet at a sharp interface:
-  CutCells outline;                  ///< of the sharp membrane whose body moves with this field; else empty
-  std::vector<PartCell> part_cells;  ///< of which this field has a part
+  Outline<Dim> outline;                   ///< of the sharp membrane whose body moves with this field; else empty
+  std::vector<PartCell<Dim>> part_cells;  ///< of which this field has a part
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };

@@ -65,7 +65,17 @@ struct LinearVelocitySpec {
   Point centre;                 ///< where it is at rest [m]
   bool operator==(const LinearVelocitySpec&) const = default;
 };
-using InitialVelocity = std::variant<UniformVelocitySpec, BarFirstModeSpec, LinearVelocitySpec, FromExactSpec>;
+/// v = value cos^2(pi (x_a - centre_a) / width) within half the width of the centre along `axis` a, at rest beyond: a
+/// pulse that a string or a bar carries away to both sides.
+struct PulseVelocitySpec {
+  Point value;       ///< in the middle [m/s]
+  int axis = 0;      ///< 0: x, 1: y, 2: z
+  Point centre;      ///< [m]
+  double width = 0;  ///< [m]
+  bool operator==(const PulseVelocitySpec&) const = default;
+};
+using InitialVelocity =
+    std::variant<UniformVelocitySpec, BarFirstModeSpec, LinearVelocitySpec, PulseVelocitySpec, FromExactSpec>;
 
 // Exact solutions. What each means stands in exact.hpp.
 struct AxisAlignedMmsSpec {

@@ -68,9 +68,10 @@ struct StageSpec {
   bool operator==(const StageSpec&) const = default;
 };
 struct OutputSpec {
-  double frame_interval = 0;    ///< time between VTU frames [s]
-  double history_interval = 0;  ///< time between rows of history.csv [s]
-  bool compress = false;        ///< zlib in VTU files
+  double frame_interval = 0;        ///< time between VTU frames [s]
+  double history_interval = 0;      ///< time between rows of history.csv [s]
+  bool compress = false;            ///< zlib in VTU files
+  std::vector<std::string> fields;  ///< of particles in VTU files; empty: all
   bool operator==(const OutputSpec&) const = default;
 };
 /// When a run keeps what a later one can go on from.

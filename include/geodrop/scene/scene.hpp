@@ -31,7 +31,8 @@ struct Scene {
 
   std::string file;  ///< path that it was read from
   std::string title;
-  std::string question;  ///< what this case asks
+  std::string question;    ///< what this case asks
+  std::string start_from;  ///< directory of a run whose end bodies and membranes start from; empty: none
   int dimension = 2;
   GridSpec grid;
   WallsSpec walls;

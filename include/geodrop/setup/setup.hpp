@@ -6,9 +6,10 @@
 
 namespace geodrop {
 
-/// Particles, membranes and tracers of the scene at t = 0, with their initial stress.
+/// Particles, membranes and tracers of the scene at t = 0, with their initial stress. Bodies and membranes that an
+/// earlier state has as well, by name, are as that one left them.
 template <int Dim>
-State<Dim> build_state(const Scene& scene);
+State<Dim> build_state(const Scene& scene, const State<Dim>* earlier = nullptr);
 
 /// Cycles of the relaxation in a row that meet both criteria of rest.
 inline constexpr std::uint64_t cycles_to_rest = 3;

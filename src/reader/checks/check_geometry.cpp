@@ -52,7 +52,7 @@ void check_polygon(const PolygonShape& polygon, const std::string& key, Report& 
   } else if (area(polygon) <= 0) {
     report.add(key + ".points", "a polygon without area", "points that are not all on one line");
   } else {
-    check_legs(polygon.points, Outline::closed, key + ".points", report);
+    check_legs(polygon.points, Ends::closed, key + ".points", report);
   }
 }
 
@@ -257,7 +257,7 @@ class PlacementCheck {
 
 }  // namespace
 
-void check_legs(const std::vector<Point>& points, Outline outline, const std::string& key, Report& report) {
+void check_legs(const std::vector<Point>& points, Ends ends, const std::string& key, Report& report) {
   constexpr double kRounding = 1e-9;  // of the outline's extent
   const std::size_t n = points.size();
   if (n < 2) return;
@@ -268,7 +268,7 @@ void check_legs(const std::vector<Point>& points, Outline outline, const std::st
       report.add(key + '.' + std::to_string(i), "the point " + to_text(points[i]) + " twice in a row",
                  "points that differ from the one before");
   }
-  if (outline == Outline::closed && n > 2 && distance(points.back(), points.front()) <= least)
+  if (ends == Ends::closed && n > 2 && distance(points.back(), points.front()) <= least)
     report.add(key + '.' + std::to_string(n - 1), "the first point " + to_text(points.front()) + " again at the end",
                "each point once: the last point joins the first by itself");
 }

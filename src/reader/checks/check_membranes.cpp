@@ -20,7 +20,7 @@ void check_count(const MembraneSpec& membrane, const std::string& key, Report& r
     report.add(key + ".points", found, "at least 2 points of a membrane with closed = false");
   if (membrane.closed && count > 0 && count < 3)
     report.add(key + ".points", found, "none (the whole outline) or at least 3 points of a closed membrane");
-  check_legs(membrane.points, membrane.closed ? Outline::closed : Outline::open, key + ".points", report);
+  check_legs(membrane.points, membrane.closed ? Ends::closed : Ends::open, key + ".points", report);
 }
 
 void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
@@ -111,21 +111,25 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
   };
   const auto sharp = [&](const std::string& body) {
     return std::count_if(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& other) {
-      return other.body == body && other.interface == Interface::sharp;
+      return other.interface == Interface::sharp && body_inside(scene, other) == body;
     });
   };
-  const BodySpec* body = find_body(scene, membrane.body);
+  const std::string name = body_inside(scene, membrane);
+  const BodySpec* body = find_body(scene, name);
   if (scene.grid.basis != Basis::bspline2)
     refuse("on a grid whose cells are not knot spans", "sharp with basis = \"bspline2\"");
+  else if (scene.dimension == 3 && !scene.grid.refine.empty())
+    refuse("in space on graded axes", "sharp in space without refine");
   else if (scene.solver.transfer == Transfer::musl)
     refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
   else if (!membrane.closed)
     refuse("on an open membrane", "sharp with closed = true");
-  else if (sharp(membrane.body) > 1)
-    refuse("on a second membrane of \"" + membrane.body + '"', "one sharp membrane for each body");
+  else if (name.empty())
+    refuse("on an empty membrane", "sharp around a body of shape `inside`");
+  else if (sharp(name) > 1)
+    refuse("on a second membrane of \"" + name + '"', "one sharp membrane for each body");
   else if (body && body->pressure != PressureSupport::cell && body->saturated_by.empty())
-    refuse("around a body whose pressure is not that of cells",
-           "sharp with pressure = \"cell\" for \"" + membrane.body + '"');
+    refuse("around a body whose pressure is not that of cells", "sharp with pressure = \"cell\" for \"" + name + '"');
   else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
              const bool in_pores = body && other.name == body->saturated_by;
              return !in_sharp_membrane(scene, other.name) && !in_pores && other.pressure == PressureSupport::cell;
@@ -147,6 +151,10 @@ void check_surfaces(const Scene& scene, Report& report) {
       report.add(key + ".warp", to_text(membrane.warp), "a vector that is not zero");
     if (scene.solver.transfer == Transfer::musl && report.healthy("solver.transfer"))
       report.add(key, "a membrane in space with solver.transfer = \"musl\"", "tpic or blend");
+    else if (report.healthy("grid"))
+      check_interface(scene, membrane, key, report);
+    if (membrane.shear != Shear::none && report.healthy(key + ".shear"))
+      report.add(key + ".shear", "what hinders slip along a membrane in space", "\"none\" with dimension = 3");
   }
 }
 

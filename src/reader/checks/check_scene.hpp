@@ -13,7 +13,7 @@
 namespace geodrop {
 
 /// Whether the last point of a list joins the first.
-enum class Outline { open, closed };
+enum class Ends { open, closed };
 
 /// All of the checks below.
 void check_scene(const Scene& scene, Report& report);
@@ -41,7 +41,7 @@ inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};
 
 /// Reports each point that stands on the one before it (of a closed outline also the last on the first): the leg
 /// between them has no direction.
-void check_legs(const std::vector<Point>& points, Outline outline, const std::string& key, Report& report);
+void check_legs(const std::vector<Point>& points, Ends outline, const std::string& key, Report& report);
 
 /// The shape has what its geometry needs (it may still be off the grid, or empty).
 bool shape_is_sound(const Shape& shape);

@@ -14,14 +14,15 @@ SectionOf<InitialVelocity> initial_velocity_section() {
   return {
       "initial_velocity of a body", "",
       "An inline table; `type` says which keys it has.", {
-      key("type", itself<InitialVelocity>, {{"rest", UniformVelocitySpec{}}, {"uniform", UniformVelocitySpec{}}, {"bar_first_mode", BarFirstModeSpec{}}, {"linear", LinearVelocitySpec{}}, {"exact", FromExactSpec{}}}, required, "which field; linear: v = gradient (x - centre); exact: of the solution that the body follows"),
-      key("value", &UniformVelocitySpec::value, "m/s", required, any, "velocity of all particles").only("type=uniform"),
+      key("type", itself<InitialVelocity>, {{"rest", UniformVelocitySpec{}}, {"uniform", UniformVelocitySpec{}}, {"bar_first_mode", BarFirstModeSpec{}}, {"linear", LinearVelocitySpec{}}, {"pulse", PulseVelocitySpec{}}, {"exact", FromExactSpec{}}}, required, "which field; linear: v = gradient (x - centre); pulse: v = value cos^2(pi (x - centre) / width) along an axis, at rest beyond half the width; exact: of the solution that the body follows"),
+      key("value", Either(&UniformVelocitySpec::value, &PulseVelocitySpec::value), "m/s", required, any, "velocity of all particles; of those in the middle of the pulse").only("type=uniform|pulse"),
       key("amplitude", &BarFirstModeSpec::amplitude, "m/s", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))").only("type=bar_first_mode"),
       key("gradient", &LinearVelocitySpec::gradient, "1/s", required, any, "as many rows as dimension, dv_a/dx_b").only("type=linear"),
-      key("centre", &LinearVelocitySpec::centre, "m", required, any, "where the velocity is 0").only("type=linear"),
-      key("axis", &BarFirstModeSpec::axis, {{"x", 0}, {"y", 1}}, required, "along the bar").only("type=bar_first_mode").in(2),
-      key("axis", &BarFirstModeSpec::axis, {{"x", 0}, {"y", 1}, {"z", 2}}, required, "along the bar").only("type=bar_first_mode").in(3),
+      key("centre", Either(&LinearVelocitySpec::centre, &PulseVelocitySpec::centre), "m", required, any, "where the velocity is 0; the middle of the pulse").only("type=linear|pulse"),
+      key("axis", Either(&BarFirstModeSpec::axis, &PulseVelocitySpec::axis), {{"x", 0}, {"y", 1}}, required, "along the bar; across the pulse").only("type=bar_first_mode|pulse").in(2),
+      key("axis", Either(&BarFirstModeSpec::axis, &PulseVelocitySpec::axis), {{"x", 0}, {"y", 1}, {"z", 2}}, required, "along the bar; across the pulse").only("type=bar_first_mode|pulse").in(3),
       key("length", &BarFirstModeSpec::length, "m", required, positive, "of the bar, which is fixed at coordinate 0").only("type=bar_first_mode"),
+      key("width", &PulseVelocitySpec::width, "m", required, positive, "of the pulse").only("type=pulse"),
   }};
 }
 

@@ -1,10 +1,24 @@
 // The scheme, the course of a run in time, and its output.
 #include "sections.hpp"
 
+#include "measure/particle_columns.hpp"
+
 namespace geodrop {
 namespace {
 
 constexpr Range courant_range{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
+
+/// Keys look at their words, which have to stay.
+const std::string& about_fields() {
+  static const std::string about = [] {
+    std::string text =
+        "what the VTU files tell of particles beside body, material, layer and number; empty: all that is known. Of ";
+    const std::vector<std::string> columns = particle_columns();
+    for (const std::string& name : columns) text += (&name == &columns.front() ? "" : ", ") + name;
+    return text;
+  }();
+  return about;
+}
 
 }  // namespace
 
@@ -53,6 +67,7 @@ SectionOf<Scene> output_section() {
       key("frame_interval", [](Scene& scene, double interval) { scene.output.frame_interval = interval; }, "s", required, positive, "time between pictures (VTU frames), at least 1e-9 of time.end; one is written at the first step at or after each multiple"),
       key("history_interval", [](Scene& scene, double interval) { scene.output.history_interval = interval; }, "s", required, positive, "time between rows of history.csv, likewise"),
       key("compress", [](Scene& scene, bool compress) { scene.output.compress = compress; }, standard("false"), "compress the VTU files"),
+      key("fields", [](Scene& scene, const std::vector<std::string>& fields) { scene.output.fields = fields; }, standard("[]"), free_text, about_fields()),
       key("checkpoint_interval", [](Scene& scene, double interval) { scene.checkpoints.interval = interval; }, "s", standard("300.0"), not_negative, "wall time between checkpoints, from which a run that was killed goes on; 0: none by wall time. The last two are kept"),
       key("checkpoint_every", [](Scene& scene, double interval) { scene.checkpoints.every = interval; }, "s", standard("0.0"), not_negative, "simulated time between checkpoints, besides those by wall time; 0: none"),
   }};

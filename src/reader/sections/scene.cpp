@@ -31,6 +31,7 @@ SectionOf<Scene> top_level() {
       "What the scene is about, and its tables.", {
       key("title", &Scene::title, required, filled, "what the scene shows, in a few words"),
       key("question", &Scene::question, standard("\"\""), free_text, "what this case asks"),
+      key("start_from", &Scene::start_from, standard("\"\""), free_text, "the directory of another run, from where geodrop is started: bodies and membranes of the same name begin as its newest checkpoint has them, whatever their shape, velocity and stress say here; everything else, time too, begins anew. \"\": none"),
       key("dimension", &Scene::dimension, "", standard("2"), two_or_three, "2: plane strain in x and y, per metre of depth; 3: space. The last axis is the vertical one"),
       key("gravity", &Scene::gravity, "m/s2", required, any, "acceleration of gravity"),
       key.table("grid", &Scene::grid, grid_section(), required, "the domain and its cells"),

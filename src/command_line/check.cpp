@@ -1,0 +1,128 @@
+#include "check.hpp"
+
+#include <geodrop/base/error.hpp>
+#include <geodrop/measure/results.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/step/run.hpp>
+
+#include <omp.h>
+
+#include <cstdio>
+#include <iostream>
+
+#include "base/json.hpp"
+#include "doubts/doubts.hpp"
+#include "exit_codes.hpp"
+#include "files/build_identity.hpp"
+#include "run.hpp"
+#include "step/effort.hpp"
+#include "threads.hpp"
+#include "transfer/levels.hpp"
+
+namespace geodrop {
+namespace {
+
+void print_notes(const Scene& scene) {
+  for (const std::string& doubt : doubts(scene)) std::cout << "warning: " << doubt << '\n';
+  for (const std::string& note : scene_notes(scene)) std::cout << "note: " << note << '\n';
+}
+
+std::string problems_json(const SceneError& error) {
+  std::vector<std::string> items;
+  for (const SceneProblem& problem : error.problems())
+    items.push_back(json_record({{"line", std::to_string(problem.at.line)},
+                                 {"column", std::to_string(problem.at.column)},
+                                 {"key", json_text(problem.key)},
+                                 {"found", json_text(problem.found)},
+                                 {"allowed", json_text(problem.allowed)}}));
+  return json_array(items);
+}
+
+/// Mistakes, warnings and notes for other programs; the same exit codes.
+int check_for_programs(const CheckArguments& arguments) {
+  std::string problems = "[]", warnings = "[]", notes = "[]";
+  int code = 0;
+  try {
+    const Scene scene = read_scene(arguments.scene, arguments.overrides);
+    check_results(scene);
+    check_first_step(scene);
+    warnings = json_texts(doubts(scene));
+    notes = json_texts(scene_notes(scene));
+  } catch (const SceneError& error) {
+    problems = problems_json(error);
+    code = exit_usage;
+  }
+  std::cout << json_object({{"file", json_text(arguments.scene)},
+                            {"problems", problems},
+                            {"warnings", warnings},
+                            {"notes", notes}})
+            << '\n';
+  return code;
+}
+
+/// Version and, of a scene, its facts and effort.
+int info_for_programs(const CheckArguments& arguments, const BuildIdentity& build) {
+  std::vector<std::pair<std::string, std::string>> members{{"version", json_text(build.version)},
+                                                           {"compiler", json_text(build.compiler)},
+                                                           {"cores", std::to_string(omp_get_num_procs())},
+                                                           {"kernels", json_text(kernel_level_name())}};
+  if (!arguments.scene.empty()) {
+    const Scene scene = read_scene(arguments.scene, arguments.overrides);
+    for (const Fact& fact : scene_facts(scene)) members.emplace_back(fact.name, json_number(fact.value));
+    const Effort effort = estimate_effort(scene, choose_threads(0));
+    members.emplace_back("wall_s", json_number(effort.seconds));
+    members.emplace_back("output_bytes", json_number(effort.output_bytes));
+  }
+  std::cout << json_object(members) << '\n';
+  return 0;
+}
+
+void add_json(CLI::App& command, CheckArguments& arguments) {
+  command.add_flag("--json", arguments.json, "print JSON, for other programs");
+}
+
+}  // namespace
+
+void add_check_options(CLI::App& command, CheckArguments& arguments) {
+  add_scene(command, arguments.scene, arguments.overrides);
+  add_json(command, arguments);
+}
+
+void add_info_options(CLI::App& command, CheckArguments& arguments) {
+  add_json(command, arguments);
+  command.add_option("scene", arguments.scene, "scene file");
+  command.add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
+}
+
+int run_check(const CheckArguments& arguments) {
+  if (arguments.json) return check_for_programs(arguments);
+  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  check_results(scene);
+  check_first_step(scene);
+  std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
+            << scene.membranes.size() << " membranes\n";
+  print_notes(scene);
+  std::cout << "a run: " << effort_in_words(estimate_effort(scene, 1)) << '\n';
+  return 0;
+}
+
+int run_stages(const CheckArguments& arguments) {
+  std::cout << stages_text(read_scene(arguments.scene, arguments.overrides));
+  return 0;
+}
+
+int run_info(const CheckArguments& arguments) {
+  const BuildIdentity build = this_build();
+  if (arguments.json) return info_for_programs(arguments, build);
+  std::cout << "geodrop " << build.version << ", " << build.compiler << ", " << omp_get_num_procs()
+            << " cores, kernels for " << kernel_level_name() << ", sums " << build.sums << '\n';
+  if (arguments.scene.empty()) return 0;
+  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  for (const Fact& fact : scene_facts(scene)) std::printf("%-36s %.6g\n", fact.name.c_str(), fact.value);
+  std::fflush(stdout);
+  std::cout << "a run: " << effort_in_words(estimate_effort(scene, choose_threads(0))) << '\n';
+  print_notes(scene);
+  return 0;
+}
+
+}  // namespace geodrop

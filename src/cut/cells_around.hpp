@@ -1,0 +1,73 @@
+// Sizes of cells and the nodes around them, in the plane and in space.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include "grid/neighbourhood.hpp"
+
+namespace geodrop {
+
+/// Whether a membrane is there and has a sharp interface.
+template <int Dim>
+bool acts_sharply(const Membrane<Dim>& membrane) {
+  return membrane.sharp && membrane.field != waiting;
+}
+
+/// The knot span of a cell along one axis.
+template <int Dim>
+SpanShape span_of(const GridLayout<Dim>& layout, int axis, int flat) {
+  return layout.span_shape(axis, stored_cell(layout, flat)[axis]);
+}
+
+/// The knot spans of a cell along the axes.
+template <int Dim>
+using CellSpans = std::array<SpanShape, Dim>;
+
+template <int Dim>
+CellSpans<Dim> spans_of(const GridLayout<Dim>& layout, int flat) {
+  CellSpans<Dim> spans;
+  for (int a = 0; a < Dim; ++a) spans[a] = span_of(layout, a, flat);
+  return spans;
+}
+
+/// Area or volume of a cell, walls or not [m2, m3].
+template <int Dim>
+double cell_size(const GridLayout<Dim>& layout, int flat) {
+  double size = span_of(layout, 0, flat).width;
+  for (int a = 1; a < Dim; ++a) size *= span_of(layout, a, flat).width;
+  return size;
+}
+
+/// Width of a cell where it is narrowest [m].
+template <int Dim>
+double least_width(const GridLayout<Dim>& layout, int flat) {
+  double width = span_of(layout, 0, flat).width;
+  for (int a = 1; a < Dim; ++a) width = std::min(width, span_of(layout, a, flat).width);
+  return width;
+}
+
+/// Flat index of node or cell n of those around a cell, x fastest.
+template <int Dim>
+int node_around(const GridLayout<Dim>& layout, int flat, int n) {
+  flat += n % 3 - 1 + (n / 3 % 3 - 1) * layout.stride[1];
+  if constexpr (Dim == 3) flat += (n / 9 - 1) * layout.stride[2];
+  return flat;
+}
+
+/// Flat index of the cell that a particle is in.
+template <int Dim>
+int cell_at(const GridLayout<Dim>& layout, const Body<Dim>& body, std::size_t p) {
+  std::array<int, Dim> cell;
+  for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, body.x[a][p]);
+  return layout.index(cell);
+}
+
+/// Share of each cell of a box inside [-].
+inline const Array<double>& inside_of(const CutCells& box) { return box.area; }
+inline const Array<double>& inside_of(const ClippedCells& box) { return box.inside; }
+
+}  // namespace geodrop

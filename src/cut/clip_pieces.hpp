@@ -1,0 +1,109 @@
+// The pieces of a triangle in the cells of a box, and what the clipping of a surface begins and ends with.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "geometry/clip_triangle.hpp"
+
+namespace geodrop {
+
+/// A point of a quadrature on triangles.
+struct TrianglePoint {
+  std::array<double, 3> share;
+  double weight;
+};
+
+inline Vec<3> to_vector(const SpacePoint& x) { return {x[0], x[1], x[2]}; }
+
+/// Cells that a piece reaches along an axis.
+inline std::pair<int, int> reach(const ConvexPiece& piece, std::size_t axis) {
+  double low = piece.at[0][axis], high = low;
+  for (std::size_t k = 1; k < piece.count; ++k) {
+    low = std::min(low, piece.at[k][axis]);
+    high = std::max(high, piece.at[k][axis]);
+  }
+  const int from = static_cast<int>(std::floor(low));
+  return {from, std::max(from, static_cast<int>(std::ceil(high)) - 1)};
+}
+
+/// f(cell, piece) for the pieces of a polygon along an axis and those after it.
+template <std::size_t axis, class F>
+void split_into_cells(ConvexPiece rest, std::array<int, 3>& cell, F& f) {
+  if constexpr (axis == 3) {
+    f(cell, rest);
+  } else {
+    const auto [from, to] = reach(rest, axis);
+    for (int i = from; i <= to && rest.count > 0; ++i) {
+      ConvexPiece own = rest, beyond;
+      beyond.count = 0;
+      if (i < to) split(rest, axis, i + 1, own, beyond);
+      cell[axis] = i;
+      if (own.count > 0) split_into_cells<axis + 1>(own, cell, f);
+      rest = beyond;
+    }
+  }
+}
+
+/// A triangle of the surface in the coordinates of the box.
+struct Facet {
+  std::array<Vec<3>, 3> corner;
+  Vec<3> normal;                          ///< area times unit normal [cells2]
+  Eigen::Matrix<double, 2, 3> to_shares;  ///< of corners 1 and 2, from the way from corner 0
+
+  explicit Facet(const std::array<Vec<3>, 3>& corners) : corner(corners) {
+    const Vec<3> one = corner[1] - corner[0], other = corner[2] - corner[0];
+    normal = 0.5 * one.cross(other);
+    const double aa = one.dot(one), ab = one.dot(other), bb = other.dot(other), det = aa * bb - ab * ab;
+    to_shares.row(0) = (bb * one - ab * other).transpose() / det;
+    to_shares.row(1) = (aa * other - ab * one).transpose() / det;
+  }
+};
+
+/// f(cell, piece) for the pieces of a triangle in the cells of its box.
+template <class F>
+void for_each_piece_of(const Facet& facet, F&& f) {
+  ConvexPiece whole;
+  whole.count = 0;
+  for (const Vec<3>& x : facet.corner) whole.add({x[0], x[1], x[2]});
+  std::array<int, 3> cell{};
+  split_into_cells<0>(whole, cell, f);
+}
+
+/// f(corners, area) for the triangles of a piece; the integrals of the linear functions of the facet's corners over the
+/// piece, over the facet's area `size`.
+template <class F>
+std::array<double, 3> for_each_fan(const Facet& facet, double size, const ConvexPiece& piece, F&& f) {
+  const Vec<3> unit = facet.normal / size;
+  std::array<double, 3> share{};
+  for (std::size_t k = 1; k + 1 < piece.count; ++k) {
+    const std::array<Vec<3>, 3> fan{to_vector(piece.at[0]), to_vector(piece.at[k]), to_vector(piece.at[k + 1])};
+    const double area = 0.5 * (fan[1] - fan[0]).cross(fan[2] - fan[0]).dot(unit);
+    if (area == 0) continue;
+    const Eigen::Vector2d shares = area / size * facet.to_shares * ((fan[0] + fan[1] + fan[2]) / 3 - facet.corner[0]);
+    share[0] += area / size - shares[0] - shares[1];
+    share[1] += shares[0];
+    share[2] += shares[1];
+    f(fan, area);
+  }
+  return share;
+}
+
+/// A box of cells around a membrane with a cell to spare on all sides, with nothing in it.
+void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells);
+
+/// A triangle of a membrane in the coordinates of its box.
+Facet facet_of(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedCells& cells,
+               std::size_t triangle);
+
+/// From what the pieces in each cell project to what lies beyond each face.
+void sum_beyond_faces(ClippedCells& cells);
+
+}  // namespace geodrop

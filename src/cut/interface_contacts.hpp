@@ -1,0 +1,66 @@
+// What lies at the stretches of sharp membranes, and the tractions on their segments or triangles.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/state/state.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "interface_rows.hpp"
+#include "rough_wall.hpp"
+
+namespace geodrop {
+
+/// A stretch of a membrane and what lies there.
+template <int Dim>
+struct Contact {
+  Membrane<Dim>* membrane;
+  Stretch stretch;
+  bool on_bed = false;
+  double pore_pressure = 0;  ///< of the bed [Pa]
+  double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
+  bool joined = false;       ///< both sides have mass there
+  double pressure = 0;       ///< [Pa]
+  double velocity = -1;      ///< of slipping, at a distance from the membrane [m/s]; < 0: not known there
+  double distance = 0;       ///< that one [m]
+
+  bool over_soil() const { return !membrane->contents_pressure.empty(); }
+  bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip && !over_soil(); }
+  bool rubs() const { return on_bed || (membrane->shear != Shear::none && !sticks()); }
+
+  /// Largest traction along it [Pa]: what is around can give, and the soil inside can take. slip [m2/s]: the velocity
+  /// of slipping times the length.
+  double most_friction(double slip) const {
+    const double taken = over_soil() ? membrane->contents_friction * inside : std::numeric_limits<double>::infinity();
+    if (on_bed) return std::min(taken, std::max(0.0, membrane->bed_friction * (pressure - pore_pressure)));
+    if (membrane->shear == Shear::no_slip) return taken;
+    const bool far = membrane->shear == Shear::rough_wall && velocity >= 0;
+    const double u = far ? velocity : slip / stretch.size;
+    const double friction = membrane->shear == Shear::rough_wall ? rough_wall_friction(distance, membrane->roughness)
+                                                                 : membrane->wall_friction;
+    return std::min(taken, 0.5 * membrane->fluid_density * friction * u * u);
+  }
+};
+
+/// What a row says: the normal velocities inside and around are one, or those along the membrane; or, of the water in
+/// pores, what flows through the membrane relative to the grains.
+enum class Says { normal, tangent, through };
+
+/// Of the segments or triangles of a membrane.
+template <int Dim>
+Array<double>& traction_of(Membrane<Dim>& membrane, Says says);
+
+/// Mean over a stretch of the traction that its segments or triangles had.
+template <int Dim>
+double last_traction(const Contact<Dim>& contact, const Outline<Dim>& cells, Says says);
+
+template <int Dim>
+void forget_tractions(Membrane<Dim>& membrane);
+
+/// The wet stretches of all sharp membranes. Beds, rough walls and soil that a membrane slides over are for the plane.
+template <int Dim>
+std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& grids);
+
+}  // namespace geodrop

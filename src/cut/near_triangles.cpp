@@ -1,0 +1,104 @@
+#include "near_triangles.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include "clipped_cells.hpp"
+#include "membrane/triangles.hpp"
+
+namespace geodrop {
+
+Vec<3> nearest_point(const std::array<Vec<3>, 3>& corner, const Vec<3>& x) {
+  const auto& [a, b, c] = corner;
+  const Vec<3> ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
+  const double d1 = ab.dot(ax), d2 = ac.dot(ax);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const double d3 = ab.dot(bx), d4 = ac.dot(bx);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double of_c = d1 * d4 - d3 * d2;
+  if (of_c <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+  const double d5 = ab.dot(cx), d6 = ac.dot(cx);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double of_b = d5 * d2 - d1 * d6;
+  if (of_b <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+  const double of_a = d3 * d6 - d5 * d4;
+  if (of_a <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  const double all = of_a + of_b + of_c;
+  return a + of_b / all * ab + of_c / all * ac;
+}
+
+NearTriangles::NearTriangles(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedSurface& cells)
+    : layout_(layout), membrane_(membrane), cells_(cells), plates_(cells.pieces.size()), parts_(cells.size()) {
+  const auto n = static_cast<std::ptrdiff_t>(plates_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    Plate& plate = plates_[k];
+    plate.triangle = cells.pieces[k].triangle;
+    plate.normal = normal_of(membrane, plate.triangle).normalized();
+    plate.middle = middle_of(membrane, plate.triangle);
+    plate.radius = 0;
+    for (const Vec<3>& corner : corners_of(plate.triangle))
+      plate.radius = std::max(plate.radius, (corner - plate.middle).norm());
+  }
+  for (const ClippedSurface::Flank& flank : cells.flanks) {
+    auto& [one, other] = parts_[flank.cell];
+    (one.second == 0 ? one : other) = {flank.first_piece, flank.first_piece + flank.pieces};
+  }
+}
+
+std::array<Vec<3>, 3> NearTriangles::corners_of(std::uint32_t triangle) const {
+  const auto& corner = membrane_.triangles.corner;
+  return {vector_at(membrane_.x, corner[0][triangle]), vector_at(membrane_.x, corner[1][triangle]),
+          vector_at(membrane_.x, corner[2][triangle])};
+}
+
+/// Of triangles that meet in the nearest point, the one that x is most before or behind tells the side.
+void NearTriangles::look_at(const Plate& plate, const Vec<3>& x, Nearest& nearest) const {
+  constexpr double alike = 1e-9;  // of distances to one point
+  const double height = plate.normal.dot(x - plate.middle), farthest = (1 + alike) * nearest.distance;
+  if (std::abs(height) > farthest) return;
+  // Along the plane the triangle ends within its radius.
+  const double square = (x - plate.middle).squaredNorm() - height * height;
+  const double beyond = std::sqrt(std::max(0.0, square)) - plate.radius;
+  if (beyond > 0 && height * height + beyond * beyond > farthest * farthest) return;
+  const Vec<3> point = nearest_point(corners_of(plate.triangle), x);
+  const double distance = (x - point).norm();
+  if (distance > farthest) return;
+  if (distance >= (1 - alike) * nearest.distance && std::abs(height) <= std::abs(nearest.height)) return;
+  nearest = {distance, height, point, plate.normal};
+}
+
+Vec<3> NearTriangles::on_side(const Vec<3>& x, bool inside) const {
+  constexpr double distance = 1e-3;  // from the membrane [h]
+  const int own = local_cell(layout_, cells_, x);
+  if (own < 0) return x;
+  const bool cut = parts_[own][0].second > 0;
+  if (!cut && (cells_.inside[own] > 0.5) == inside) return x;  // a whole cell of its side
+  Nearest nearest;
+  std::array<double, 3> low;  // of x over the lower side of its cell [m]
+  for (int a = 0; a < 3; ++a) low[a] = x[a] - layout_.node(a, layout_.base(a, x[a])) + 0.5 * layout_.h;
+  const std::array<int, 3> stride{1, cells_.count[0], cells_.count[0] * cells_.count[1]};
+  const std::array<int, 3> at{own % stride[1], own / stride[1] % cells_.count[1], own / stride[2]};
+  for (const int n :
+       {13, 12, 14, 10, 16, 4, 22, 0, 1, 2, 3, 5, 6, 7, 8, 9, 11, 15, 17, 18, 19, 20, 21, 23, 24, 25, 26}) {
+    const std::array<int, 3> offset{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+    double square = 0;  // to the cell there
+    int cell = own;
+    bool in_box = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double gap = offset[a] < 0 ? low[a] : offset[a] > 0 ? layout_.h - low[a] : 0.0;
+      square += gap * gap;
+      cell += offset[a] * stride[a];
+      in_box = in_box && at[a] + offset[a] >= 0 && at[a] + offset[a] < cells_.count[a];
+    }
+    if (!in_box || square > nearest.distance * nearest.distance) continue;
+    for (const auto& [first, last] : parts_[cell])
+      for (std::uint32_t k = first; k < last; ++k) look_at(plates_[k], x, nearest);
+  }
+  if (!std::isfinite(nearest.distance) || (nearest.height < 0) == inside) return x;
+  return nearest.point + (inside ? -1 : 1) * distance * layout_.finest * nearest.normal;
+}
+
+}  // namespace geodrop

@@ -1,0 +1,40 @@
+#include "initial_state.hpp"
+
+#include <geodrop/base/error.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+#include <geodrop/setup/setup.hpp>
+
+#include <filesystem>
+
+#include "check_resumable.hpp"
+#include "files/checkpoint_files.hpp"
+
+namespace geodrop {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const std::string& found, const std::string& allowed) {
+  throw SceneError(file, {{{}, "start_from", found, allowed, ProblemSource::elsewhere}});
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> initial_state(const Scene& scene) {
+  if (scene.start_from.empty()) return build_state<Dim>(scene);
+  const std::filesystem::path directory = std::filesystem::absolute(scene.start_from).lexically_normal();
+  if (!std::filesystem::exists(directory / "scene.toml"))
+    refuse(scene.file, '"' + directory.string() + "\", which is no run directory",
+           "the directory of a run, from where geodrop is started or as an absolute path");
+  const Scene before = read_scene(directory / "scene.toml");
+  if (before.dimension != Dim)
+    refuse(scene.file, "a run with dimension = " + std::to_string(before.dimension), "one of the same dimension");
+  const State<Dim> end = find_checkpoint<Dim>(directory, before).checkpoint.state;
+  const std::string fault = fault_in_state(before, initial_state<Dim>(before), end);
+  if (!fault.empty()) refuse(directory, "a checkpoint with " + fault, "a state of the scene of that run");
+  return build_state(scene, &end);
+}
+
+template State<2> initial_state(const Scene&);
+template State<3> initial_state(const Scene&);
+
+}  // namespace geodrop

@@ -1,0 +1,53 @@
+// Closed surfaces of triangles on a small grid, fair and foul.
+#pragma once
+
+#include <geodrop/grid/grid.hpp>
+#include <geodrop/scene/scene.hpp>
+#include <geodrop/state/state.hpp>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "geometry/surface_generators.hpp"
+
+namespace geodrop::test {
+
+inline GridLayout<3> small_grid(double h) {
+  GridSpec spec;
+  spec.lower = {-2, -2, -2};
+  spec.upper = {2, 2, 2};
+  spec.spacing = h;
+  spec.basis = Basis::bspline2;
+  WallsSpec walls;
+  for (auto* side : {&walls.lower, &walls.upper}) side->assign(3, WallKind::slip);
+  return {spec, walls};
+}
+
+inline Membrane<3> membrane_of(const TriangleSurface& surface) {
+  Membrane<3> membrane;
+  for (const Corner& x : surface.points)
+    for (std::size_t a = 0; a < 3; ++a) membrane.x[a].push_back(x[a]);
+  membrane.mass.assign(surface.points.size(), 1.0);
+  for (const auto& t : surface.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) membrane.triangles.corner[k].push_back(t[k]);
+    membrane.triangles.rest_area.push_back(1);
+  }
+  return membrane;
+}
+
+/// A ball; with corners on planes of the grid; folded and cut by itself.
+inline std::vector<TriangleSurface> surfaces() {
+  TriangleSurface ball = ellipsoid_surface({0.03, 0.05, 0.07}, {1, 0.8, 1.2}, 0.15), on_planes = ball, torn = ball;
+  for (Corner& x : on_planes.points)
+    for (double& c : x) c = std::round(8 * c) / 8 + 0.125;
+  std::mt19937_64 generator(5);
+  for (Corner& x : torn.points)
+    for (double& c : x) c += 0.2 * (static_cast<double>(generator() >> 11) / (1ULL << 53) - 0.5);
+  return {ball, on_planes, torn};
+}
+
+/// Two discs a third of a cell apart, within one layer of cells, that meet at a rim.
+inline TriangleSurface flat_bag() { return disc_pillow_surface({0.02, 0.03, 0.01}, 1.1, 0.08, 0.12); }
+
+}  // namespace geodrop::test
