@@ -6,5 +6,6 @@
 #include "mohr_coulomb.hpp"
 #include "neo_hookean.hpp"
 #include "newtonian.hpp"
+#include "pore_gas.hpp"
 #include "undrained.hpp"
 #include "void_memory.hpp"

@@ -27,6 +27,8 @@ double wave_modulus(const Solid& solid) {
 Material make_material(const MaterialSpec& spec) {
   const auto* soil = std::get_if<MohrCoulombSpec>(&spec.model);
   if (soil && soil->void_memory) return MohrCoulombWithVoids{make(*soil)};
+  if (soil && soil->undrained() && soil->undrained()->gas)
+    return make(*soil, *soil->undrained(), *soil->undrained()->gas);
   if (soil && soil->critical_state) return make(*soil, *soil->critical_state);
   return std::visit([](const auto& model) -> Material { return make(model); }, spec.model);
 }

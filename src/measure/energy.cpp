@@ -5,6 +5,7 @@
 
 #include "base/fixed_order_sum.hpp"
 #include "materials/neo_hookean.hpp"
+#include "materials/pore_gas.hpp"
 #include "membrane/triangles.hpp"
 #include "spread.hpp"
 
@@ -41,6 +42,8 @@ double strain_energy(const Solid& solid, const Body<Dim>& body, std::size_t p) {
   if constexpr (requires { solid.pore_stiffness; }) {
     if (body.pore_pressure.empty() || solid.pore_stiffness <= 0) return skeleton;
     const double u = body.pore_pressure[p];
+    if constexpr (std::is_same_v<Solid, MohrCoulombWithGas>)
+      return skeleton + body.volume(p) / body.J[p] * gas_pore_energy(solid, u);
     return skeleton + body.volume(p) * u * u / (2 * solid.pore_stiffness);
   }
   return skeleton;

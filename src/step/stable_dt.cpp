@@ -9,6 +9,7 @@
 
 #include "contact/surface_contact.hpp"
 #include "materials/neo_hookean.hpp"
+#include "materials/pore_gas.hpp"
 #include "materials/strain.hpp"
 #include "pores/pores.hpp"
 
@@ -36,11 +37,23 @@ double membrane_speed_squared(const State<Dim>& state, const Membrane<Dim>& memb
   }
 }
 
+/// Of soil with gas in its pores, at the largest pore pressure of its particles.
+template <int Dim>
+double gas_speed_squared(const Body<Dim>& body, const MohrCoulombWithGas& soil) {
+  const auto n = static_cast<std::ptrdiff_t>(body.size());
+  double stiffness = soil.pore_stiffness;
+#pragma omp parallel for schedule(static) reduction(max : stiffness)
+  for (std::ptrdiff_t p = 0; p < n; ++p)
+    stiffness = std::max(stiffness, gas_pore_stiffness(soil, body.pore_pressure[p], body.J[p]));
+  return (soil.bulk_modulus + 4.0 / 3.0 * soil.shear_modulus + stiffness) / soil.density;
+}
+
 /// Of compression waves [m2/s2]. A neo-Hookean solid stiffens where it is stretched or squeezed, hence the present
 /// strain of every particle counts; a NaN is left to v_max, which shows it a step later.
 template <int Dim>
 double wave_speed_squared(const Body<Dim>& body) {
   double c2 = std::pow(wave_speed(body.material), 2);
+  if (const auto* soil = std::get_if<MohrCoulombWithGas>(&body.material)) return gas_speed_squared(body, *soil);
   const auto* solid = std::get_if<NeoHookean>(&body.material);
   if (!solid) return c2;
   const auto n = static_cast<std::ptrdiff_t>(body.size());

@@ -95,6 +95,7 @@ TEST_CASE("grains, water and gas become a density and a pore fluid, by hand") {
   CHECK(silt.density == 1950);
   REQUIRE(silt.undrained());
   CHECK(silt.undrained()->porosity == 0.4);
+  CHECK(silt.undrained()->gas == PoreGasSpec{2.13e9, 2e5, 1e5});
   // 1 / (0.9 / 2.13e9 + 0.1 / 2e5): far below 20 K' n, which only a fluid without gas is held to
   CHECK(silt.undrained()->fluid_bulk_modulus == near(1.998311e6, 4e-7));
   const std::vector<std::string> undrained{"materials.fill.drainage=undrained", "materials.fill.saturation=1.0",
@@ -131,7 +132,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 151);
+  CHECK(sea.at.line == 152);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});

@@ -91,12 +91,20 @@ struct LinearElastic {
   void state(auto& points, auto f) const { f(points.stress); }
 };
 
+/// Gas in the pores of an undrained soil that follows Boyle's law, see materials/pore_gas.
+struct PoreGasSpec {
+  double water_bulk_modulus = 0;    ///< [Pa]
+  double gas_pressure = 0;          ///< absolute, at which the gas has its share of the pores [Pa]
+  double atmospheric_pressure = 0;  ///< absolute, where the pore pressure is 0 [Pa]
+  bool operator==(const PoreGasSpec&) const = default;
+};
 /// Fluid in the pores of an undrained soil: pore pressure rate = -(K_f / n) div v.
 struct UndrainedSpec {
   double porosity = 0;            ///< [-]
   double fluid_bulk_modulus = 0;  ///< [Pa]
   /// Share of the pores that water fills, where K_f follows from it [-]; empty: K_f is the user's own.
   std::optional<double> saturation = {};
+  std::optional<PoreGasSpec> gas = {};  ///< empty: K_f stays that of the start
   bool operator==(const UndrainedSpec&) const = default;
 };
 /// Soil whose pore water is a body of its own: both move, see src/pores.
@@ -169,6 +177,14 @@ struct CriticalStateSoil : MohrCoulomb {
   double tan_phi;            ///< of the critical state [-]
 };
 
+/// Mohr-Coulomb whose pores have water and gas that cannot leave; see materials/pore_gas. pore_stiffness is that of
+/// small changes about the pressure at which the gas has its share.
+struct MohrCoulombWithGas : MohrCoulomb {
+  double water_compliance;  ///< n S / K_w [1/Pa]
+  double gas;               ///< n (1 - S) p_g, volume of the gas times its pressure per volume of soil at J = 1 [Pa]
+  double atmosphere;        ///< absolute pressure where the pore pressure is 0 [Pa]
+};
+
 /// Compressible neo-Hookean solid: sigma = (mu / J) (F F^T - I) + (lambda ln J / J) I.
 struct NeoHookeanSpec {
   double density = 0;         ///< unstrained [kg/m3]
@@ -189,8 +205,8 @@ struct NeoHookean {
 };
 
 /// The list of laws. A checkpoint holds their numbers: new ones come last.
-using Material =
-    std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids, CriticalStateSoil>;
+using Material = std::variant<Newtonian, LinearElastic, MohrCoulomb, NeoHookean, MohrCoulombWithVoids,
+                              CriticalStateSoil, MohrCoulombWithGas>;
 
 struct MaterialSpec {
   std::string name;

@@ -32,6 +32,14 @@ void check_critical_state(const MohrCoulombSpec& soil, const std::string& key, R
     report.add(key + ".poissons_ratio", to_text(nu), "at most " + to_text(most) + " for soil that contracts");
 }
 
+void check_pore_gas(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
+  const UndrainedSpec* const pores = soil.undrained();
+  if (!pores || !pores->gas || !report.healthy(key)) return;
+  if (soil.void_memory) report.add(key + ".void_memory", "true with atmospheric_pressure", "false, or K_f that stays");
+  if (*pores->saturation == 0)
+    report.add(key + ".saturation", "0 with atmospheric_pressure", "more than 0: some water in the pores");
+}
+
 void check_plasticity(const MohrCoulombSpec& soil, const std::string& key, Report& report) {
   const bool angles = report.healthy(key + ".friction_angle_deg") && report.healthy(key + ".dilatancy_angle_deg");
   if (angles && soil.dilatancy_angle_deg > soil.friction_angle_deg) {
@@ -103,6 +111,7 @@ void check_materials(const Scene& scene, Report& report) {
     const auto* soil = std::get_if<MohrCoulombSpec>(&material.model);
     if (!soil) continue;
     check_plasticity(*soil, "materials." + material.name, report);
+    check_pore_gas(*soil, "materials." + material.name, report);
     check_critical_state(*soil, "materials." + material.name, report);
     check_pore_fluid(*soil, "materials." + material.name, report);
   }

@@ -22,6 +22,8 @@ void derive_mixture(MaterialSpec& material, const toml::table& written) {
   auto* undrained = std::get_if<UndrainedSpec>(&soil->pores);
   if (!undrained || !written.contains("saturation")) return;
   undrained->saturation = value("saturation");
+  if (written.contains("atmospheric_pressure"))
+    undrained->gas = PoreGasSpec{value("water_bulk_modulus"), value("gas_pressure"), value("atmospheric_pressure")};
   undrained->fluid_bulk_modulus =
       pore_fluid_bulk_modulus({value("saturation"), value("water_bulk_modulus"), value("gas_pressure")});
 }
@@ -65,7 +67,8 @@ SectionOf<MaterialSpec> materials_section() {
       key("dilatancy_slope", [](MohrCoulombSpec& soil, double slope) { soil.critical_state->dilatancy_slope = slope; }, "", required, positive, "K of critical_porosity; 4.09 for glass beads (Pailha & Pouliquen 2009)").only("critical_porosity"),
       key.given("porosity", "", required, fraction, "n at the start, for critical_porosity").only("critical_porosity&density&drainage=drained"),
       key.given("water_bulk_modulus", "Pa", required, positive, "K_w of the water in the pores: 1 / K_f = S / K_w + (1 - S) / gas_pressure (Verruijt 1969)").only("saturation&drainage=undrained"),
-      key.given("gas_pressure", "Pa", required, positive, "absolute pressure at which the gas has its share of the pores; K_f is that of small changes around it (isothermal, nothing dissolves) and stays").only("saturation&drainage=undrained"),
+      key.given("gas_pressure", "Pa", required, positive, "absolute pressure at which the gas has its share of the pores; K_f is that of small changes around it (isothermal, nothing dissolves) and stays, unless an atmospheric_pressure is given").only("saturation&drainage=undrained"),
+      key.given("atmospheric_pressure", "Pa", derived("nothing: K_f stays"), positive, "absolute pressure where the pore pressure is 0: the gas follows Boyle's law, half as much at twice the absolute pressure; not with void_memory, S > 0").only("saturation&drainage=undrained"),
   }, derive_mixture};
 }
 // clang-format on
