@@ -58,12 +58,13 @@ TEST_CASE(
   const std::vector<std::string> falls{"gravity=[0.0, -1.0]", "pumps=", "solver.damping_rate=0.0", "time.end=0.2"};
   REQUIRE(run(first, falls).code == 0);
   const double reached = column(first, "fluid.velocity_y_m_s").back();
-  CHECK(reached == near(-column(first, "time_s").back(), 1e-9));
+  // The polygon of the geotextile, which carries the weight of the water, is 0.06 % smaller than the disc of water.
+  CHECK(reached == near(-column(first, "time_s").back(), 1e-3));
   std::vector<std::string> more = falls;
   more.push_back("start_from=\"" + first.string() + '"');
   REQUIRE(run(next, more).code == 0);
   CHECK(column(next, "fluid.velocity_y_m_s").front() == near(reached, 1e-12));
-  CHECK(column(next, "fluid.velocity_y_m_s").back() == near(reached - column(next, "time_s").back(), 1e-9));
+  CHECK(column(next, "fluid.velocity_y_m_s").back() == near(reached - column(next, "time_s").back(), 1e-3));
 
   const fs::path again = fs::path(directory / "again");
   std::vector<std::string> words{"run",       tube, "--output", again.string(),
