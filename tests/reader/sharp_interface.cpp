@@ -22,7 +22,6 @@ TEST_CASE("A sharp interface needs cells that are knot spans, their pressure on 
   const std::string key = "membranes.geotextile.interface: found \"sharp\" ";
   check_refused({"grid.basis=gimp"}, key + "on a grid whose cells are not knot spans");
   check_refused({"solver.transfer=musl"}, key + "with solver.transfer = \"musl\"");
-  check_refused({"solver.mass_matrix=consistent"}, key + "with solver.mass_matrix = \"consistent\"");
   check_refused({"bodies.container.pressure=particle"}, key + "around a body whose pressure is not that of cells");
   check_refused({"bodies.water.pressure=particle", "bodies.bed.pressure=particle"}, key + "with nothing around");
   // Water in the pores inside is not around.

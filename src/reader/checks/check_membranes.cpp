@@ -122,8 +122,6 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     refuse("in space on graded axes", "sharp in space without refine");
   else if (scene.solver.transfer == Transfer::musl)
     refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
-  else if (scene.solver.mass_matrix == MassMatrix::consistent)  // in space -42 instead of -7 % of a release at R = 4 h
-    refuse("with solver.mass_matrix = \"consistent\", whose correction its rows do not know", "sharp with lumped");
   else if (!membrane.closed)
     refuse("on an open membrane", "sharp with closed = true");
   else if (name.empty())
