@@ -8,12 +8,8 @@ namespace geodrop {
 
 void add_ensemble_options(CLI::App& command, EnsembleArguments& arguments) {
   EnsembleOptions& options = arguments.options;
-  const auto whole = [](int most) {
-    return only_if<int>([most](int n) { return n >= 1 && n <= most; },
-                        "a whole number from 1 to " + std::to_string(most));
-  };
   command.add_option("scene", options.scene, "scene file (TOML, see docs/scene.md)")->required();
-  command.add_option("--samples", options.samples, "number of runs")->required()->check(whole(100000));
+  command.add_option("--samples", options.samples, "number of runs")->required()->check(whole_number(100000));
   command
       .add_option(
           "--vary", arguments.vary,
@@ -26,7 +22,7 @@ void add_ensemble_options(CLI::App& command, EnsembleArguments& arguments) {
   command.add_option("--set", options.overrides, "override a key of the scene for all runs")->take_all()->expected(1);
   command.add_option("--seed", options.seed, "of the random order of the samples (default: 0)");
   command.add_option("--jobs", options.jobs, "runs at a time, each on one thread (default: all cores)")
-      ->check(whole(1024));
+      ->check(whole_number(1024));
   command.add_option("--output", options.output, "directory (default: runs/<scene>_ensemble)");
   options.jobs = omp_get_num_procs();
 }

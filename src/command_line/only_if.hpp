@@ -19,6 +19,12 @@ CLI::Validator only_if(const Condition& good, const std::string& allowed) {
   return CLI::Validator(complaint, "", "only_if");
 }
 
+/// From 1 to `most`.
+inline CLI::Validator whole_number(int most) {
+  return only_if<int>([most](int n) { return n >= 1 && n <= most; },
+                      "a whole number from 1 to " + std::to_string(most));
+}
+
 inline CLI::Validator positive(const std::string& allowed) {
   return only_if<double>([](double value) { return value > 0 && std::isfinite(value); }, allowed);
 }

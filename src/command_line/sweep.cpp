@@ -8,10 +8,6 @@ namespace geodrop {
 
 void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
   SweepOptions& options = arguments.options;
-  const auto whole = [](int most) {
-    return only_if<int>([most](int n) { return n >= 1 && n <= most; },
-                        "a whole number from 1 to " + std::to_string(most));
-  };
   command.add_option("scene", options.scene, "scene file (TOML, see docs/scene.md)")->required();
   command
       .add_option("--vary", arguments.vary,
@@ -24,16 +20,16 @@ void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
       ->expected(1);
   command
       .add_option("--sample", options.samples, "instead of combinations so many samples of ranges (Latin hypercube)")
-      ->check(whole(100000));
+      ->check(whole_number(100000));
   command.add_option("--set", options.overrides, "override a key of the scene for all cases")->take_all()->expected(1);
   command.add_option("--seed", options.seed, "of the random order of samples (default: 0)");
   command.add_option("--jobs", options.jobs, "runs at a time, each on one thread (default: all cores)")
-      ->check(whole(1024));
+      ->check(whole_number(1024));
   command.add_option("--output", options.output, "directory (default: runs/<scene>_sweep)");
   auto* no_run = command.add_flag("--no-run", arguments.no_run,
                                   "run nothing: write array.sbatch, and manifest.csv of the cases that are there");
   command.add_option("--case", arguments.only, "run this case only, as a job array does")
-      ->check(whole(100000))
+      ->check(whole_number(100000))
       ->excludes(no_run);
   options.jobs = omp_get_num_procs();
 }

@@ -3,7 +3,6 @@
 #include <omp.h>
 
 #include <iostream>
-#include <string>
 
 #include "only_if.hpp"
 
@@ -11,9 +10,7 @@ namespace geodrop {
 
 void add_threads(CLI::App& command, int& threads) {
   constexpr int most = 1024;  // far above what pays on any machine, far below what the system refuses without a word
-  command.add_option("--threads", threads, "number of threads (default: all cores)")
-      ->check(
-          only_if<int>([](int n) { return n >= 1 && n <= most; }, "a whole number from 1 to " + std::to_string(most)));
+  command.add_option("--threads", threads, "number of threads (default: all cores)")->check(whole_number(most));
 }
 
 int choose_threads(int asked) {

@@ -58,14 +58,6 @@ int node_around(const GridLayout<Dim>& layout, int flat, int n) {
   return flat;
 }
 
-/// Flat index of the cell that a particle is in.
-template <int Dim>
-int cell_at(const GridLayout<Dim>& layout, const Body<Dim>& body, std::size_t p) {
-  std::array<int, Dim> cell;
-  for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, body.x[a][p]);
-  return layout.index(cell);
-}
-
 /// Share of each cell of a box inside [-].
 inline const Array<double>& inside_of(const CutCells& box) { return box.area; }
 inline const Array<double>& inside_of(const ClippedCells& box) { return box.inside; }

@@ -67,14 +67,17 @@ struct Facet {
   }
 };
 
-/// f(cell, piece) for the pieces of a triangle in the cells of its box.
+/// f(local cell, its middle, piece) for the pieces of a triangle in the cells of a box.
 template <class F>
-void for_each_piece_of(const Facet& facet, F&& f) {
+void for_each_piece_of(const Facet& facet, const ClippedCells& cells, F&& f) {
   ConvexPiece whole;
   whole.count = 0;
   for (const Vec<3>& x : facet.corner) whole.add({x[0], x[1], x[2]});
   std::array<int, 3> cell{};
-  split_into_cells<0>(whole, cell, f);
+  const auto visit = [&](const std::array<int, 3>& at, const ConvexPiece& piece) {
+    f(at[0] + cells.count[0] * (at[1] + cells.count[1] * at[2]), Vec<3>(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5), piece);
+  };
+  split_into_cells<0>(whole, cell, visit);
 }
 
 /// f(corners, area) for the triangles of a piece; the integrals of the linear functions of the facet's corners over the

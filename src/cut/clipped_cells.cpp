@@ -25,9 +25,8 @@ class Clipper {
   void add(std::uint32_t triangle, const Facet& facet) {
     const double size = facet.normal.norm();
     if (!(size > 0)) return;
-    for_each_piece_of(facet, [&](const std::array<int, 3>& at, const ConvexPiece& piece) {
-      const int c = at[0] + cells_.count[0] * (at[1] + cells_.count[1] * at[2]);
-      const Vec<3> middle(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5), unit = facet.normal / size;
+    const Vec<3> unit = facet.normal / size;
+    for_each_piece_of(facet, cells_, [&](int c, const Vec<3>& middle, const ConvexPiece& piece) {
       const auto share = for_each_fan(facet, size, piece, [&](const std::array<Vec<3>, 3>& fan, double area) {
         for (const TrianglePoint& q : degree_4)
           add_point(c, q.share[0] * fan[0] + q.share[1] * fan[1] + q.share[2] * fan[2] - middle,

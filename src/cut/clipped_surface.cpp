@@ -6,6 +6,7 @@
 
 #include "clip_pieces.hpp"
 #include "clipped_cells.hpp"
+#include "geometry/corner.hpp"
 
 namespace geodrop {
 namespace {
@@ -46,9 +47,7 @@ void add_triangle(std::uint32_t triangle, const Facet& facet, const ClippedCells
   const double size = facet.normal.norm();
   if (!(size > 0)) return;
   const Vec<3> unit = facet.normal / size;
-  for_each_piece_of(facet, [&](const std::array<int, 3>& at, const ConvexPiece& piece) {
-    const Vec<3> middle(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5);
-    const int cell = at[0] + cells.count[0] * (at[1] + cells.count[1] * at[2]);
+  for_each_piece_of(facet, cells, [&](int cell, const Vec<3>& middle, const ConvexPiece& piece) {
     RawPiece& raw = out.emplace_back(RawPiece{{cell, triangle, {}}, 0, {unit[0], unit[1], unit[2]}, {}});
     raw.piece.share = for_each_fan(facet, size, piece, [&](const std::array<Vec<3>, 3>& fan, double area) {
       raw.area += area;
@@ -162,10 +161,8 @@ std::uint32_t part_flanks(const std::vector<RawPiece>& pieces, std::uint32_t* be
   const std::uint32_t largest =
       *std::max_element(begin, end, [&](std::uint32_t a, std::uint32_t b) { return pieces[a].area < pieces[b].area; });
   const std::array<double, 3> way = pieces[largest].normal;
-  std::uint32_t* const second = std::stable_partition(begin, end, [&](std::uint32_t k) {
-    const std::array<double, 3>& n = pieces[k].normal;
-    return n[0] * way[0] + n[1] * way[1] + n[2] * way[2] >= 0;
-  });
+  std::uint32_t* const second =
+      std::stable_partition(begin, end, [&](std::uint32_t k) { return dot(pieces[k].normal, way) >= 0; });
   return static_cast<std::uint32_t>(second - begin);
 }
 
@@ -202,9 +199,6 @@ std::vector<Flank> add_up(const std::vector<RawPiece>& pieces, Sorted& sorted, C
 std::vector<std::uint32_t> find_hosts(const std::vector<Flank>& flanks, const ClippedCells& cells) {
   std::vector<std::uint32_t> first(cells.size(), static_cast<std::uint32_t>(flanks.size()));  // of a cell
   for (std::uint32_t k = static_cast<std::uint32_t>(flanks.size()); k-- > 0;) first[flanks[k].cell] = k;
-  const auto alike = [&](const Flank& a, const Flank& b) {
-    return a.normal[0] * b.normal[0] + a.normal[1] * b.normal[1] + a.normal[2] * b.normal[2];
-  };
   std::vector<std::uint32_t> host(flanks.size());
   for (std::uint32_t k = 0; k < flanks.size(); ++k) {
     host[k] = k;
@@ -213,8 +207,8 @@ std::vector<std::uint32_t> find_hosts(const std::vector<Flank>& flanks, const Cl
     for (int n = 0; n < 27; ++n) {  // the box has a cell to spare on all sides
       const int cell = flanks[k].cell + n % 3 - 1 + cells.count[0] * (n / 3 % 3 - 1 + cells.count[1] * (n / 9 - 1));
       for (std::uint32_t other = first[cell]; other < flanks.size() && flanks[other].cell == cell; ++other)
-        if (flanks[other].area >= least_area && alike(flanks[k], flanks[other]) > most) {
-          most = alike(flanks[k], flanks[other]);
+        if (flanks[other].area >= least_area && dot(flanks[k].normal, flanks[other].normal) > most) {
+          most = dot(flanks[k].normal, flanks[other].normal);
           host[k] = other;
         }
     }

@@ -257,7 +257,7 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
-      const int cell = cell_at(grid.layout, body, p);
+      const int cell = cell_at(grid.layout, body.x, p);
       if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= torn) continue;
       const double mean = 1 / (1 + grid.cell_pressure[cell] / fluid->bulk_modulus);
       const double here = grid.layout.graded() ? way / least_width(grid.layout, cell) : share;

@@ -83,7 +83,7 @@ void keep_body(const Grid<Dim>& grid, const Near& surface, bool inside, Body<Dim
   const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t p = 0; p < n; ++p) {
-    if (grid.taken[cell_at(grid.layout, body, p)] <= 0) continue;
+    if (grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
     const Vec<Dim> to = surface.on_side(vector_at(body.x, p), inside);
     for (int a = 0; a < Dim; ++a) body.x[a][p] = to[a];
   }

@@ -62,7 +62,7 @@ class Pools {
   void find_members() {
     int last = -1, host = -1;
     for (std::size_t p = 0; p < body_.size(); ++p) {
-      const int flat = cell_at(grid_.layout, body_, p);
+      const int flat = cell_at(grid_.layout, body_.x, p);
       if (flat != last) host = host_of(last = flat);
       if (host >= 0) members_.emplace_back(p, host);
     }

@@ -96,13 +96,10 @@ template <int Dim>
 void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (membrane.sharp) continue;
-    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-      std::array<int, Dim> base;
-      for (int a = 0; a < Dim; ++a) base[a] = grid.layout.base(a, membrane.x[a][k]);
-      for_neighbourhood(grid.layout, grid.layout.index(base), [&](int other, const auto&) {
+    for (std::size_t k = 0; k < membrane.nodes(); ++k)
+      for_neighbourhood(grid.layout, cell_at(grid.layout, membrane.x, k), [&](int other, const auto&) {
         grid.cell_flags[other] &= static_cast<std::uint8_t>(~cell_shiftable);
       });
-    }
   }
 }
 

@@ -16,6 +16,14 @@ std::array<int, Dim> stored_cell(const GridLayout<Dim>& layout, int flat) {
   return cell;
 }
 
+/// Flat index of the cell that a point is in; x: coordinates of points, an array for each axis [m].
+template <int Dim, class Points>
+int cell_at(const GridLayout<Dim>& layout, const Points& x, std::size_t point) {
+  std::array<int, Dim> cell;
+  for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, x[a][point]);
+  return layout.index(cell);
+}
+
 /// Calls f(flat neighbour, offsets a in {0,1,2}^Dim) for the 3^Dim neighbourhood.
 template <int Dim, class F>
 void for_neighbourhood(const GridLayout<Dim>& layout, int flat, F&& f) {

@@ -36,9 +36,7 @@ void update_point(auto& points, const CriticalStateSoil& soil, const auto& rates
   auto sigma = load_stress<Dim, R>(points, p);
   const R strain = update_stress<Dim>(soil, YieldSurface<R>(soil, angles, cutoff_at<R>(soil, angles)),
                                       load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
-  store(&points.deviatoric_strain[p], load<R>(&points.deviatoric_strain[p]) + strain);
-  store(&points.J[p], J * (1 + volume));
+  keep_step<Dim, R>(points, p, sigma, strain, volume);
 }
 
 inline CriticalStateSoil make(const MohrCoulombSpec& spec, const CriticalStateSpec& state) {

@@ -119,14 +119,22 @@ template <int Dim, class R>
   return update_stress<Dim>(law, YieldSurface(law), dL, dvol, stress);
 }
 
+/// What soils keep of a step: stress, accumulated deviatoric strain, and J, which takes dvol as it is.
+template <int Dim, class R>
+[[gnu::always_inline]] inline void keep_step(auto& points, std::size_t p,
+                                             const std::array<R, std::size_t{stress_components<Dim>}>& sigma,
+                                             const R& strain, const R& volume) {
+  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
+  store(&points.deviatoric_strain[p], load<R>(&points.deviatoric_strain[p]) + strain);
+  store(&points.J[p], load<R>(&points.J[p]) * (1 + volume));
+}
+
 template <int Dim, class R>
 void update_point(auto& points, const MohrCoulomb& soil, const auto& rates, double, std::size_t p, int k) {
   const R volume = load<R>(&rates.volume[k]);
   auto sigma = load_stress<Dim, R>(points, p);
   const R strain = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
-  store(&points.deviatoric_strain[p], load<R>(&points.deviatoric_strain[p]) + strain);
-  store(&points.J[p], load<R>(&points.J[p]) * (1 + volume));
+  keep_step<Dim, R>(points, p, sigma, strain, volume);
   if (!points.pore_pressure.empty())
     store(&points.pore_pressure[p], load<R>(&points.pore_pressure[p]) + pore_pressure_increment(soil, volume));
 }

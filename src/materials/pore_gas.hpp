@@ -43,9 +43,7 @@ void update_point(auto& points, const MohrCoulombWithGas& soil, const auto& rate
   const R volume = load<R>(&rates.volume[k]), J = load<R>(&points.J[p]);
   auto sigma = load_stress<Dim, R>(points, p);
   const R strain = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
-  store(&points.deviatoric_strain[p], load<R>(&points.deviatoric_strain[p]) + strain);
-  store(&points.J[p], J * (1 + volume));
+  keep_step<Dim, R>(points, p, sigma, strain, volume);
   store(&points.pore_pressure[p], gas_pore_pressure<R>(soil, load<R>(&points.pore_pressure[p]), J * volume));
 }
 

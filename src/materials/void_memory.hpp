@@ -53,10 +53,8 @@ void update_point(auto& points, const MohrCoulombWithVoids& soil, const auto& ra
   auto sigma = load_stress<Dim, R>(points, p);
   R gap = load<R>(&points.gap[p]);
   const VoidStep<R> step = update_stress<Dim, R>(soil, load_increment<Dim, R>(rates, k), volume, sigma, gap);
-  for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
+  keep_step<Dim, R>(points, p, sigma, step.deviatoric_strain, volume);
   store(&points.gap[p], gap);
-  store(&points.deviatoric_strain[p], load<R>(&points.deviatoric_strain[p]) + step.deviatoric_strain);
-  store(&points.J[p], load<R>(&points.J[p]) * (1 + volume));
   if (!points.pore_pressure.empty())
     store(&points.pore_pressure[p],
           load<R>(&points.pore_pressure[p]) + pore_pressure_increment<R>(soil, step.volumetric_strain));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/base/error.hpp>
+#include <geodrop/base/find_named.hpp>
 #include <geodrop/measure/results.hpp>
 #include <limits>
 
@@ -93,8 +94,8 @@ double reduce(const ResultSpec& spec, const HistoryTable& history) {
 std::vector<Result> reduce_all(const Scene& scene, const HistoryTable& history) {
   std::vector<Result> results;
   const auto time_of = [&](const std::string& event, double never) {
-    const auto found = std::find_if(results.begin(), results.end(), [&](const Result& r) { return r.name == event; });
-    return found == results.end() || std::isnan(found->value) ? never : found->value;
+    const Result* const found = find_or_null(results, event);
+    return !found || std::isnan(found->value) ? never : found->value;
   };
   constexpr double always = std::numeric_limits<double>::infinity();
   for (ResultSpec spec : scene.results) {
@@ -108,9 +109,8 @@ std::vector<Result> reduce_all(const Scene& scene, const HistoryTable& history) 
 std::vector<Expectation> compare(const Scene& scene, const std::vector<Result>& results) {
   std::vector<Expectation> expectations;
   for (const ExpectSpec& spec : scene.expect) {
-    const auto found =
-        std::find_if(results.begin(), results.end(), [&](const Result& result) { return result.name == spec.result; });
-    if (found == results.end())
+    const Result* const found = find_or_null(results, spec.result);
+    if (!found)
       throw SceneError(scene.file, {{spec.at, "expect.result", '"' + spec.result + '"', "the name of a result"}});
     const bool met = std::abs(found->value - spec.expected) <= spec.tolerance;
     expectations.push_back({*found, spec.expected, spec.tolerance, spec.source, met});

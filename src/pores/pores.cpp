@@ -33,16 +33,9 @@ void for_each_pair(const std::vector<PoreSoil>& soils, F f) {
 }
 
 template <int Dim>
-int cell_of(const GridLayout<Dim>& layout, const Body<Dim>& body, std::size_t p) {
-  std::array<int, Dim> at;
-  for (int a = 0; a < Dim; ++a) at[a] = layout.base(a, body.x[a][p]);
-  return layout.index(at);
-}
-
-template <int Dim>
 void sum_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   for (std::size_t p = begin; p < end; ++p) {
-    const int cell = cell_of(grid.layout, body, p);
+    const int cell = cell_at(grid.layout, body.x, p);
     const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
     grid.grain_volume[cell] += body.mass[p] / soil.grain_density;
     grid.drag_resistance[cell] += soil.resistance(n) * body.volume(p);
@@ -54,7 +47,7 @@ void sum_inertial_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& 
                         std::size_t end) {
   for (std::size_t p = begin; p < end; ++p) {
     const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
-    grid.inertial_resistance[cell_of(grid.layout, body, p)] += soil.inertial_resistance(n) * body.volume(p);
+    grid.inertial_resistance[cell_at(grid.layout, body.x, p)] += soil.inertial_resistance(n) * body.volume(p);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "judge.hpp"
 #include "base/units.hpp"
 
+#include <geodrop/base/find_named.hpp>
 #include <geodrop/reader/scene_reader.hpp>
 
 #include <algorithm>
@@ -15,9 +16,8 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 double result_of(const VariantRun& run, const std::string& name) {
-  const auto found =
-      std::find_if(run.results.begin(), run.results.end(), [&](const Result& result) { return result.name == name; });
-  return found == run.results.end() ? not_a_number : found->value;
+  const Result* const found = find_or_null(run.results, name);
+  return found ? found->value : not_a_number;
 }
 
 double value_of(const VerifySpec& spec, const VariantRun& run) {
