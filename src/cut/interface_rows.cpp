@@ -23,21 +23,6 @@ double light_mass_at(const Grid<Dim>& grid, int node) {
   return light_mass<Dim>(grid, stored_cell(grid.layout, node));
 }
 
-/// Components of the velocity of a node that walls hold.
-template <int Dim>
-std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int node) {
-  std::array<bool, Dim> fixed{};
-  const std::array<int, Dim> stored = stored_cell(layout, node);
-  for (int a = 0; a < Dim; ++a) {
-    const int at = stored[a] - layout.pad;
-    if (at != 0 && at != layout.cells[a]) continue;
-    fixed[a] = true;
-    const WallKind wall = at == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
-    if (wall == WallKind::no_slip) fixed.fill(true);
-  }
-  return fixed;
-}
-
 }  // namespace
 
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece) {

@@ -139,6 +139,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     sum_over_seam(grid.layout, axis, grid.cell_volume);
     sum_over_seam(grid.layout, axis, grid.cell_pressure);
     if (!grid.cell_modulus.empty()) sum_over_seam(grid.layout, axis, grid.cell_modulus);
+    if (!grid.pore_modulus.empty()) sum_over_seam(grid.layout, axis, grid.pore_modulus);
   });
   Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
   raw_fill(grid, fill);
@@ -147,7 +148,8 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;
       const bool holds = grid.cell_volume[flat] > 0, shared = !grid.taken.empty() && grid.taken[flat] > 0;
-      const bool filled = smooth[k] >= filled_ratio && (holds || shared) && !cut_by_rigid(grid, flat);
+      const bool enough = smooth[k] >= filled_ratio || (!grid.pore_modulus.empty() && grid.pore_modulus[flat] > 0);
+      const bool filled = enough && (holds || shared) && !cut_by_rigid(grid, flat);
       grid.cell_flags[flat] = filled ? cell_filled : 0;
       grid.cell_pressure[flat] = filled && holds ? grid.cell_pressure[flat] / grid.cell_volume[flat] : 0.0;
     }

@@ -54,18 +54,6 @@ void add_graded_force(const Grid<Dim>& grid, int begin, int count, const std::ar
     }
 }
 
-/// int dN/dx_component over a cell, of the node that is entry `a` of its neighbourhood, walls folded in; h = 1.
-template <int Dim>
-double slope_integral(const Grid<Dim>& grid, const std::array<int, Dim>& cell, const std::array<int, Dim>& a,
-                      int component) {
-  double integral = 1;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const auto& table = grid.integrals[axis];
-    integral *= axis == component ? table.slope[cell[axis]][a[axis]] : table.value[cell[axis]][a[axis]];
-  }
-  return integral;
-}
-
 template <int Dim>
 std::array<double, Dim> force_near_wall(const Grid<Dim>& grid, const std::array<int, Dim>& node, int flat) {
   std::array<double, Dim> force{};

@@ -10,7 +10,8 @@
 
 namespace geodrop {
 
-/// A cell is filled where the binomially smoothed fill ratio is at least this.
+/// A cell is filled where the binomially smoothed fill ratio is at least this; one with soil whose pore pressure is
+/// implicit is, however little: that soil hardly changes its volume, whatever of the cell it has.
 inline constexpr double filled_ratio = 0.7;
 
 /// Turns the particle sums of the cells into pressures; decides which cells are filled, and (if `shift`) where
@@ -41,6 +42,19 @@ void cell_volume_rate(Grid<Dim>& grid);
 template <int Dim>
 double face_measure(const GridLayout<Dim>& layout) {
   return Dim == 2 ? layout.h : layout.h * layout.h;
+}
+
+/// int dN/dx_component over a cell, of the node that is entry `a` of its neighbourhood, walls folded in; h = 1; cell: stored
+/// coordinates.
+template <int Dim>
+double slope_integral(const Grid<Dim>& grid, const std::array<int, Dim>& cell, const std::array<int, Dim>& a,
+                      int component) {
+  double integral = 1;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto& table = grid.integrals[axis];
+    integral *= axis == component ? table.slope[cell[axis]][a[axis]] : table.value[cell[axis]][a[axis]];
+  }
+  return integral;
 }
 
 /// Nodes of a row of a block, in one structure of arrays.

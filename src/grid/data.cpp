@@ -117,6 +117,7 @@ void add_rest(Data item, const State<Dim>& state, Hasher& hash) {
     case Data::stage:
       return hash.add(state.damping_rate, state.stages_entered);
     case Data::largest_motion:
+      for (const Body<Dim>& body : state.bodies) hash.add(body.open_pores);
       return hash.add(state.drift, state.v_max);
     case Data::rigid_bodies:
       return hash.add(state.rigid);
@@ -190,7 +191,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
     case Data::mass_correction:
       return add_array(grid.mass_correction, hash);
     case Data::cell_volume:
-      return hash.add(grid.cell_volume, grid.cell_modulus);
+      return hash.add(grid.cell_volume, grid.cell_modulus, grid.pore_modulus);
     case Data::cell_pressure:
       return add_array(grid.cell_pressure, hash);
     case Data::cell_flags:

@@ -178,7 +178,9 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   want(grid_role::for_change, change);
   want(grid_role::for_consistent, consistent);
   want(grid_role::for_cells, cells);
-  want(grid_role::for_moduli, moduli.size() > 1);
+  const bool implicit = any_body([](const BodySpec& b) { return b.implicit_pore_pressure; });
+  want(grid_role::for_moduli, moduli.size() > 1 || implicit);
+  want(grid_role::for_implicit, implicit);
   want(grid_role::for_nodal, any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }));
   want(grid_role::for_sharp, has_sharp_interface(scene));
   want(grid_role::for_rigid, shift && any_contact_of(scene, ContactPair::Kind::body_on_rigid));

@@ -222,6 +222,20 @@ Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim
 }
 
 template <int Dim>
+std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat) {
+  std::array<bool, Dim> fixed{};
+  const std::array<int, Dim> stored = stored_cell(layout, flat);
+  for (int a = 0; a < Dim; ++a) {
+    const int at = stored[a] - layout.pad;
+    if (at != 0 && at != layout.cells[a]) continue;
+    fixed[a] = true;
+    const WallKind wall = at == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
+    if (wall == WallKind::no_slip) fixed.fill(true);
+  }
+  return fixed;
+}
+
+template <int Dim>
 void fold_walls(Grid<Dim>& grid) {
   for_each_array<grid_role::folded>(grid, [&](auto& values) { fold_field(grid, values); });
 }
@@ -252,6 +266,7 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
   template double light_mass<D>(const Grid<D>&, const std::array<int, D>&);          \
   template double node_measure<D>(const Grid<D>&, const std::array<int, D>&);        \
   template Vec4 carried_velocity<D>(const Grid<D>&, int, const std::array<int, D>&); \
+  template std::array<bool, D> held_by_walls<D>(const GridLayout<D>&, int);          \
   template void impose_wall_velocity<D>(Grid<D>&);                                   \
   template void fold_walls<D>(Grid<D>&);                                             \
   template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double);

@@ -29,6 +29,10 @@ void fold_walls(Grid<Dim>& grid);
 template <int Dim>
 void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
 
+/// Components of the velocity of a node that walls hold; of domains without periodic seams.
+template <int Dim>
+std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat);
+
 /// Velocity at a node as impulses see it [m/s]: that of a node of small mass counts by the part of an impulse that it
 /// takes, that of its neighbourhood by the rest. Rates of volume from it are the adjoint of update_momentum.
 template <int Dim>

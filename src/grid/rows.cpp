@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cell_pressure.hpp"
+#include "implicit_pressure.hpp"
 #include "mass_correction.hpp"
 #include "momentum.hpp"
 #include "sort_particles.hpp"
@@ -55,6 +56,20 @@ Row<Dim> mass_correction_row(const Scene& scene) {
 }
 
 template <int Dim>
+Row<Dim> implicit_pressure_row(const Scene& scene) {
+  return {"implicit_pressure",
+          Data::nodal_sums | Data::nodal_velocity | Data::velocity_change | Data::cell_volume | Data::cell_flags |
+              Data::volume_rate | Data::cut_cells,
+          Data::nodal_velocity | Data::velocity_change | Data::largest_motion,
+          std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                      [](const BodySpec& body) { return body.implicit_pore_pressure; }),
+          [](State<Dim>& state, Grids<Dim>& grids, const StepContext& step) {
+            for (Grid<Dim>& grid : grids)
+              if (!grid.pore_modulus.empty()) press_pores(state, grids, grid, step.dt);
+          }};
+}
+
+template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene) {
   return {"volume_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::volume_rate,
           Data::volume_rate, any_body_with(scene, PressureSupport::cell),
@@ -63,11 +78,12 @@ Row<Dim> volume_rate_row(const Scene& scene) {
           })};
 }
 
-#define GEODROP_INSTANTIATE(D)                          \
-  template Row<D> sort_particles_row<D>(const Scene&);  \
-  template Row<D> fold_walls_row<D>(const Scene&);      \
-  template Row<D> momentum_row<D>(const Scene&);        \
-  template Row<D> mass_correction_row<D>(const Scene&); \
+#define GEODROP_INSTANTIATE(D)                            \
+  template Row<D> sort_particles_row<D>(const Scene&);    \
+  template Row<D> fold_walls_row<D>(const Scene&);        \
+  template Row<D> momentum_row<D>(const Scene&);          \
+  template Row<D> mass_correction_row<D>(const Scene&);   \
+  template Row<D> implicit_pressure_row<D>(const Scene&); \
   template Row<D> volume_rate_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

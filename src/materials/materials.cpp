@@ -59,6 +59,11 @@ double wave_modulus(const Material& material) {
   return std::visit([](const auto& law) { return wave_modulus(law); }, material);
 }
 
+double pore_stiffness(const Material& material) {
+  const MohrCoulomb* const soil = soil_law(material);
+  return soil ? soil->pore_stiffness : 0;
+}
+
 double impedance(const Material& material) { return reference_density(material) * wave_speed(material); }
 
 double shear_wave_speed(const Material& material) {

@@ -73,6 +73,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec, const State<Dim>*
   body.material_name = spec.material;
   body.material = make_material(*find_material(scene, spec.material));
   body.pressure = spec.pressure;
+  body.implicit_pore_pressure = spec.implicit_pore_pressure;
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
   body.half_size = 0.5 / spec.particles_per_cell_axis;

@@ -79,10 +79,10 @@ auto members(Part& part) {
     using Settings = std::conditional_t<std::is_const_v<Part>, const BodySettings, BodySettings>;
     return std::tuple_cat(members<Settings>(part), listed_fields(part));
   } else if constexpr (std::is_same_v<Plain, BodySettings>) {
-    auto& [name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed, unit_weight,
-           weightless_level] = part;
-    return std::tie(name, material_name, material, field, pressure, shift, shift_speed, half_size, enclosed,
-                    unit_weight, weightless_level);
+    auto& [name, material_name, material, field, pressure, implicit_pore_pressure, open_pores, shift, shift_speed,
+           half_size, enclosed, unit_weight, weightless_level] = part;
+    return std::tie(name, material_name, material, field, pressure, implicit_pore_pressure, open_pores, shift,
+                    shift_speed, half_size, enclosed, unit_weight, weightless_level);
   } else if constexpr (requires { fields_of(part); }) {
     return listed_fields(part);
   } else if constexpr (is_membrane<Plain>) {

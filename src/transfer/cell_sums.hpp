@@ -10,7 +10,8 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   alignas(64) double volume[chunk_size], pressure[chunk_size];
   alignas(64) std::int32_t cell[chunk_size];
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
-  const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * wave_modulus(body.material);
+  const double implicit = body.implicit_pore_pressure ? pore_stiffness(body.material) : 0.0;
+  const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * explicit_modulus(body);
   double* const cell_volume = grid.cell_volume.data();
   double* const cell_pressure = grid.cell_pressure.data();
   const GridLayout<Dim>& layout = grid.layout;
@@ -35,6 +36,8 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
     }
     if (modulus > 0)
       for (int k = 0; k < count; ++k) grid.cell_modulus[cell[k]] += modulus * volume[k];
+    if (implicit > 0)
+      for (int k = 0; k < count; ++k) grid.pore_modulus[cell[k]] += implicit * volume[k];
   }
 }
 

@@ -260,6 +260,9 @@ double impedance(const Material& material);
 /// rho c^2 of compression waves, pore water included [Pa].
 double wave_modulus(const Material& material);
 
+/// K_f / n of undrained soil, the share of its pore water in wave_modulus; 0 of others [Pa].
+double pore_stiffness(const Material& material);
+
 /// Speed of elastic shear waves at zero strain [m/s]; 0 in a fluid.
 double shear_wave_speed(const Material& material);
 

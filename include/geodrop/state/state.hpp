@@ -23,12 +23,20 @@ struct BodySettings {
   Material material;
   int field = 0;  ///< velocity field that it moves with, Grid::field; or waiting
   PressureSupport pressure = PressureSupport::cell;
+  bool implicit_pore_pressure = false;           ///< of undrained soil, see grid/implicit_pressure
+  bool open_pores = false;                       ///< it acted explicitly in the last step
   bool shift = false;                            ///< particle shifting (fluids)
   double shift_speed = 0;                        ///< v0 of the shift [m/s]
   double half_size = 0;                          ///< half width of a particle's domain (Basis::gimp) [h]
   int enclosed = -1;                             ///< index in Grid::enclosed of its field (PressureSupport::enclosed)
   double unit_weight = 0, weightless_level = 0;  ///< of an enclosed fluid: gamma [N/m3], y0 [m]
 };
+
+/// rho c^2 of a body as the time step has to follow it: without the water in its pores where that acts implicitly [Pa].
+inline double explicit_modulus(const BodySettings& body) {
+  const bool implicit = body.implicit_pore_pressure && !body.open_pores;
+  return wave_modulus(body.material) - (implicit ? pore_stiffness(body.material) : 0);
+}
 
 /// One body: its law and its particles.
 template <int Dim>

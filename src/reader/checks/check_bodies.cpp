@@ -179,6 +179,28 @@ void check_pressure(const Scene& scene, const BodySpec& body, const std::string&
     report.add(key + ".pressure", "\"nodal\" with another basis than tri3 or tet4", "cell or particle");
 }
 
+/// Of undrained soil whose cells carry its pressure.
+void check_implicit_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  if (!body.implicit_pore_pressure) return;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    report.add(key + ".implicit_pore_pressure", "true " + found, allowed);
+  };
+  const MaterialSpec* material = find_material(scene, body.material);
+  const auto* soil = material ? std::get_if<MohrCoulombSpec>(&material->model) : nullptr;
+  const UndrainedSpec* pores = soil ? soil->undrained() : nullptr;
+  const bool known = material && report.healthy("materials." + material->name + ".model") &&
+                     report.healthy("materials." + material->name + ".drainage");
+  if (known && (!pores || pores->gas))
+    refuse("for a body of \"" + body.material + '"',
+           "true for a soil with drainage = \"undrained\" and a fluid_bulk_modulus");
+  else if (body.pressure != PressureSupport::cell)
+    refuse("where each particle carries its pressure", "true with pressure = \"cell\"");
+  else if (std::find(scene.walls.lower.begin(), scene.walls.lower.end(), WallKind::periodic) != scene.walls.lower.end())
+    refuse("between periodic walls", "true between walls of other kinds");
+  else if (scene.solver.mass_matrix == MassMatrix::consistent)
+    refuse("with a consistent mass matrix", "true with mass_matrix = \"lumped\"");
+}
+
 }  // namespace
 
 void check_velocity(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
@@ -202,6 +224,7 @@ void check_bodies(const Scene& scene, Report& report) {
     check_velocity(scene, scene.bodies[i], key + ".initial_velocity", report);
     if (report.healthy(key) && report.healthy("materials") && report.healthy("membranes"))
       check_cavities(scene, scene.bodies[i], key, report);
+    check_implicit_pressure(scene, scene.bodies[i], key, report);
     if (report.healthy("grid") && report.healthy("dimension") && report.healthy("gravity") &&
         report.healthy("membranes") && report.healthy(key))
       check_enclosed(scene, scene.bodies[i], key, report);
