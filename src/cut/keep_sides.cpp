@@ -28,7 +28,8 @@ class NearEdges {
 
   /// Where a point is to go that should be inside, or else outside; itself if it is there.
   Vec<2> on_side(const Vec<2>& x, bool inside) const {
-    constexpr double distance = 1e-3, least_share = 1e-6;  // from the membrane [h]; of it
+    constexpr double distance = 1e-3;     // from the membrane [h]
+    constexpr double least_share = 1e-6;  // of it
     const int cell = local_cell(layout_, cells_, x[0], x[1]);
     if (cell < 0) return x;
     const Nearest nearest = nearest_to(x, near_[cell]);
