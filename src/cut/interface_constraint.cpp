@@ -172,18 +172,23 @@ void let_through(const ContactRows<Dim>& rows, const std::vector<Contact<Dim>>& 
   }
 }
 
-/// Counts steps without a solution; throws when they are too many in a row.
-void note(bool converged, double t, ConstraintWatch& watch) {
-  constexpr std::uint64_t most_in_a_row = 100;
-  watch.in_a_row = converged ? 0 : watch.in_a_row + 1;
-  watch.unsolved += converged ? 0 : 1;
-  if (watch.in_a_row < most_in_a_row) return;
-  std::ostringstream text;
-  text << "the pressures on sharp membranes were not found in " << watch.in_a_row
-       << " steps in a row (conjugate gradients to 1e-8, ten active sets), t = " << t << " s; " << watch.unsolved
-       << " steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are common "
-          "causes";
-  throw RunError(text.str());
+/// Throws where a traction on a sharp membrane is not finite: what is broken moves all that touches it at the next
+/// step.
+template <int Dim>
+void check_tractions(State<Dim>& state) {
+  for (Membrane<Dim>& membrane : state.membranes)
+    for (const Says says : {Says::normal, Says::tangent, Says::through}) {
+      const Array<double>& traction = traction_of(membrane, says);
+      const auto broken = std::find_if(traction.begin(), traction.end(), [](double t) { return !std::isfinite(t); });
+      if (!membrane.sharp || broken == traction.end()) continue;
+      auto at = static_cast<std::size_t>(broken - traction.begin());
+      if constexpr (Dim == 3) at = membrane.triangles.corner[0][at];
+      std::ostringstream text;
+      text << "a traction on the sharp membrane '" << membrane.name << "' is not finite at x =";
+      for (const Array<double>& x : membrane.x) text << ' ' << x[at];
+      text << " m, t = " << state.t << " s; a velocity or a mass at the nodes of the grid there is not";
+      throw RunError(text.str());
+    }
 }
 
 /// One normal velocity, and one velocity where the fluid sticks; false if they were not found.
@@ -263,6 +268,19 @@ void rub(double dt, std::vector<Contact<2>>& contacts, Grids<2>& grids, const st
 
 }  // namespace
 
+void count_solution(bool converged, double t, ConstraintWatch& watch) {
+  constexpr std::uint64_t most_in_a_row = 100;
+  watch.in_a_row = converged ? 0 : watch.in_a_row + 1;
+  watch.unsolved += converged ? 0 : 1;
+  if (watch.in_a_row < most_in_a_row) return;
+  std::ostringstream text;
+  text << "the pressures on sharp membranes were not found in " << watch.in_a_row
+       << " steps in a row (conjugate gradients to 1e-8, ten active sets), t = " << t << " s; " << watch.unsolved
+       << " steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are common "
+          "causes";
+  throw RunError(text.str());
+}
+
 template <int Dim>
 void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
   std::vector<Contact<Dim>> contacts = find_contacts(state, grids);
@@ -270,8 +288,9 @@ void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
   if constexpr (Dim == 2)
     for (const Contact<2>& contact : contacts)
       last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Says::tangent));
-  note(join(dt, contacts, grids), state.t, state.constraint_watch);
+  count_solution(join(dt, contacts, grids), state.t, state.constraint_watch);
   if constexpr (Dim == 2) rub(dt, contacts, grids, last);
+  check_tractions(state);
   for (Grid<Dim>& grid : grids) impose_wall_velocity(grid);
 }
 

@@ -25,8 +25,11 @@
 namespace geodrop {
 
 /// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
-/// Membrane::water_pressure and water_shear.
+/// Membrane::water_pressure and water_shear. Throws RunError where one of them is not finite.
 template <int Dim>
 void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
+
+/// Counts steps whose tractions fell short of the tolerance; throws RunError at the hundredth in a row. t [s].
+void count_solution(bool converged, double t, ConstraintWatch& watch);
 
 }  // namespace geodrop

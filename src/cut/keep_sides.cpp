@@ -28,15 +28,18 @@ class NearEdges {
 
   /// Where a point is to go that should be inside, or else outside; itself if it is there.
   Vec<2> on_side(const Vec<2>& x, bool inside) const {
-    constexpr double distance = 1e-3;  // from the membrane [h]
+    constexpr double distance = 1e-3;     // from the membrane [h]
+    constexpr double least_share = 1e-6;  // of it
     const int cell = local_cell(layout_, cells_, x[0], x[1]);
     if (cell < 0) return x;
-    Nearest nearest;
-    for (const int edge : near_[cell]) look_at(edge, x, nearest);
-    if (nearest.edge < 0) return x;
-    const Vec<2> normal = normal_at(nearest);
-    const bool is_inside = (x - nearest.point).dot(normal) < 0;
-    return is_inside == inside ? x : Vec<2>(nearest.point + (inside ? -1 : 1) * distance * layout_.finest * normal);
+    const Nearest nearest = nearest_to(x, near_[cell]);
+    if (nearest.edge < 0 || is_inside(x, nearest) == inside) return x;
+    const Vec<2> way = (inside ? -1 : 1) * distance * layout_.finest * normal_at(nearest);
+    Vec<2> to = nearest.point + way;
+    // Near the edge of a fold narrower than a right angle the whole way leads through the other flank.
+    for (double share = 0.5; share > least_share && is_inside(to, nearest_to(to, near_[cell])) != inside; share /= 2)
+      to = nearest.point + share * way;
+    return to;
   }
 
  private:
@@ -48,6 +51,15 @@ class NearEdges {
   };
 
   Vec<2> node(std::size_t k) const { return {membrane_.x[0][k], membrane_.x[1][k]}; }
+
+  Nearest nearest_to(const Vec<2>& x, const std::vector<int>& edges) const {
+    Nearest nearest;
+    for (const int edge : edges) look_at(edge, x, nearest);
+    return nearest;
+  }
+  bool is_inside(const Vec<2>& x, const Nearest& nearest) const {
+    return (x - nearest.point).dot(normal_at(nearest)) < 0;
+  }
 
   void look_at(int edge, const Vec<2>& x, Nearest& nearest) const {
     const Vec<2> from = node(edge), along = node(end_of_edge(edge, membrane_.nodes())) - from;

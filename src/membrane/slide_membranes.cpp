@@ -29,6 +29,19 @@ double half_length(const Cloth& cloth, std::size_t k) {
   return 0.5 * (ahead + (k == 0 && cloth.closed ? cloth.length[n - 1] : behind));
 }
 
+/// Momentum of the `mass` of cloth that lies next to a face on node `k`'s side, from that node on away from the face:
+/// if more passes in a step than a node has, the nodes beyond give it. Velocities then stay between those before.
+double momentum_beside(const Membrane<2>& membrane, const Array<double>& v, std::size_t k, bool backwards,
+                       double mass) {
+  double momentum = 0;
+  for (std::size_t n = 0; n < membrane.nodes() && mass > membrane.mass[k]; ++n) {
+    momentum += membrane.mass[k] * v[k];
+    mass -= membrane.mass[k];
+    k = backwards ? node_before(membrane, k) : node_after(membrane, k);
+  }
+  return momentum + mass * v[k];
+}
+
 }  // namespace
 
 /// Lengths, rest lengths and loads along the line.
@@ -57,7 +70,8 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
   }
 }
 
-/// Mass follows the rest length that passes; momentum goes with it, from the node that it leaves.
+/// Mass follows the rest length that passes; momentum goes with it, from the nodes that it leaves: the exact mean of
+/// the cloth that lies at a node then, each node's with its velocity.
 void MembraneSlide::move_mass(Membrane<2>& membrane) {
   const double density = std::accumulate(membrane.mass.begin(), membrane.mass.end(), 0.0) /
                          std::accumulate(membrane.rest_length.begin(), membrane.rest_length.end(), 0.0);
@@ -67,7 +81,8 @@ void MembraneSlide::move_mass(Membrane<2>& membrane) {
     for (std::size_t s = 0; s < membrane.segments(); ++s) {
       const std::size_t end = end_of_edge(s, membrane.nodes());
       const double mass = 0.5 * density * (cloth_.passed[s] + cloth_.passed[end]);
-      const double carried = mass * membrane.v[a][mass > 0 ? s : end];
+      const double carried = mass > 0 ? momentum_beside(membrane, membrane.v[a], s, true, mass)
+                                      : -momentum_beside(membrane, membrane.v[a], end, false, -mass);
       momentum_[a][s] -= carried;
       momentum_[a][end] += carried;
     }

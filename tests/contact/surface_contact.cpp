@@ -99,6 +99,17 @@ TEST_CASE("The length of a node is half of the segments beside it, also where a 
   for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == near(stiffness * 1e-3 * closed[k], 1e-11));
 }
 
+TEST_CASE("Contact is as stiff as the line of a membrane that slides is long, wherever its slack cloth lies") {
+  State<2> state = line_on_ground(0);
+  Membrane<2>& m = state.membranes[0];
+  m.x[1].assign(3, 0.999);
+  m.share = {4.0 / 7, 3.0 / 7};
+  m.rest_length = {0.4, 4.0};
+  load_inside(state);
+  const double line[] = {0.2, 0.35, 0.15};
+  for (int k = 0; k < 3; ++k) CHECK(m.load[1][k] == near(stiffness * 1e-3 * line[k], 1e-11));
+}
+
 TEST_CASE("Contact adds to the loads that are there") {
   State<2> state = line_on_ground(0);
   clear_membrane_loads(state);

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "support/near.hpp"
 #include "support/sharp_box.hpp"
 
@@ -67,6 +69,29 @@ TEST_CASE("At a corner the mean of both normals tells the sides apart") {
   check_at(kept(1, 2.6, 2.6), 2.75 + diagonal, 2.75 + diagonal);
   check_at(kept(1, 6.0, 6.45), 5.8 - diagonal, 6.25 - diagonal);
   check_at(kept(0, 2.6, 2.6), 2.6, 2.6);
+}
+
+TEST_CASE("Near the edge of a narrow fold the way out does not lead through its other flank") {
+  // A slit from above, 0.2 m wide at the top of the bag and 1 m deep; water has strayed through its right flank.
+  const double deep = 1, half = 0.1, apex_x = 4.5, apex_y = 5.25;
+  for (const double s : {1e-4, 1e-3, 0.5}) {  // height over the lowest point
+    CAPTURE(s);
+    SharpBox box;
+    box.draw({{2.75, 2.75},
+              {5.8, 2.75},
+              {5.8, 6.25},
+              {apex_x + half, 6.25},
+              {apex_x, apex_y},
+              {apex_x - half, 6.25},
+              {2.75, 6.25}});
+    cut_interface_cells(box.state, box.grids);
+    Body<2>& water = box.state.bodies[0];
+    water = blank_body<2>(water.material, 1);
+    water.x = {Array<double>{apex_x + half / deep * s + 1e-6}, Array<double>{apex_y + s}};
+    keep_sides(box.state, box.grids);
+    CHECK(std::abs(water.x[0][0] - apex_x) < half / deep * (water.x[1][0] - apex_y));
+    CHECK(water.x[1][0] == within(apex_y + s, 2 * off));
+  }
 }
 
 TEST_CASE("On fine cells the distance is a thousandth of the finest") {

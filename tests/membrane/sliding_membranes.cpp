@@ -149,6 +149,35 @@ TEST_CASE("Mass goes with the rest length; mass and momentum of the whole are ke
   }
 }
 
+TEST_CASE("Cloth that passes whole nodes in a step takes their velocities along; no node gets faster than any was") {
+  constexpr std::size_t nodes = 40, passes = 3;
+  for (const double way : {1.0, -1.0}) {
+    CAPTURE(way);
+    State<2> state = sand_under_cloth(0, 0);
+    Membrane<2>& cloth = state.membranes[0] = circle(nodes, 1.0);
+    cloth.contents_friction = 0.3;
+    RigidContact<2> rough;
+    rough.touching = cloth.name;
+    rough.friction = 0.5;
+    state.rigid_contacts = {rough};
+    // An even load along the line against the drag alone, z q = 1e-4 J q / l.
+    const double load = way * 1e-4 * stiffness * passes;
+    for (auto& component : cloth.load) component.assign(nodes, 0.0);
+    for (std::size_t k = 0; k < nodes; ++k) {
+      const auto along = tangent_at(cloth, k);
+      for (int a = 0; a < 2; ++a) cloth.load[a][k] = load * along[a];
+    }
+    Random random;
+    for (auto& v : cloth.v)
+      for (double& component : v) component = random.uniform(-1, 1);
+    const auto before = cloth.v;
+    MembraneSlide({0, 0}).slide(state, layout_of_quarter_metres());
+    for (std::size_t k = 0; k < nodes; ++k)
+      for (int a = 0; a < 2; ++a)
+        CHECK(cloth.v[a][k] == within(before[a][(k + nodes + (way > 0 ? -passes : passes)) % nodes], 1e-9));
+  }
+}
+
 TEST_CASE("A hanging cloth over a fluid bears its own weight: T grows by it with the height") {
   std::vector<std::array<double, 2>> points;
   for (int k = 0; k <= 20; ++k) points.push_back({0.0, 0.1 * k});
