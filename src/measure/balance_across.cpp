@@ -196,9 +196,8 @@ AcrossLine balance_at_gauge(const Scene& scene, const State<2>& state, const Mem
   const auto& at = membrane.gauge.now_at;
   std::vector<std::size_t> nodes(membrane.nodes());
   std::iota(nodes.begin(), nodes.end(), 0);
-  const auto nearest = std::ranges::min_element(nodes, {}, [&](std::size_t k) {
-    return std::hypot(membrane.x[0][k] - at[0], membrane.x[1][k] - at[1]);
-  });
+  const auto nearest = std::ranges::min_element(
+      nodes, {}, [&](std::size_t k) { return std::hypot(membrane.x[0][k] - at[0], membrane.x[1][k] - at[1]); });
   const NodeLoads loads = loads_of(scene, state, membrane);
   const double width = std::max(membrane.gauge_length, 2 * finest_spacing(scene.grid));
   return mean_over(stretch_about(membrane, loads, *nearest, width), loads, tension_at(membrane, *nearest));

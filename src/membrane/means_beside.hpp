@@ -15,7 +15,7 @@ namespace geodrop {
 class MeansBeside {
  public:
   struct Sums {
-    double volume = 0;               ///< [m2]
+    double volume = 0;              ///< [m2]
     std::array<double, 3> value{};  ///< times volume
   };
 

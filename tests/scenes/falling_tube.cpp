@@ -2,8 +2,8 @@
 // with the tension of its cloth in place of surface tension: T kappa = p_inside - p_around. Around a body that
 // accelerates the pressure is linear along an ellipse and balances the weight inside, so that what is left is that of a
 // steady flow, Delta + rho q^2 / 2. The outline is the image of the unit circle under z = a (w + sum_k c_k w^(1 - 2k)),
-// q = 2 U a |cos t| / |dz/dt|; the unknowns a, c_k, T, Delta follow from Newton's method on the harmonics of the balance,
-// the area and the perimeter.
+// q = 2 U a |cos t| / |dz/dt|; the unknowns a, c_k, T, Delta follow from Newton's method on the harmonics of the
+// balance, the area and the perimeter.
 #include "support/near.hpp"
 #include "support/scene_files.hpp"
 
@@ -28,10 +28,10 @@ constexpr int harmonics = 10, points = 256;  // 6 and 128 change the tension by 
 
 struct Tube {
   double velocity = 0;                          ///< [m/s]
-  double perimeter = 0, area = 0;                 ///< at rest, without tension [m], [m2]
-  double axial_stiffness = 0;                     ///< [N/m]
-  double density_around = 0, bulk_modulus = 0;    ///< [kg/m3]; of the fluid inside [Pa]
-  double deeper = 0;                              ///< rise of the pressure of still water since then [Pa]
+  double perimeter = 0, area = 0;               ///< at rest, without tension [m], [m2]
+  double axial_stiffness = 0;                   ///< [N/m]
+  double density_around = 0, bulk_modulus = 0;  ///< [kg/m3]; of the fluid inside [Pa]
+  double deeper = 0;                            ///< rise of the pressure of still water since then [Pa]
 };
 
 struct Outline {
@@ -91,7 +91,8 @@ VectorXd solve(const Tube& tube, double half_width, double tension) {
 
 double perimeter_of_ellipse(double a, double b) {
   double sum = 0;
-  for (int i = 0; i < points; ++i) sum += std::hypot(a * std::sin(2 * pi * i / points), b * std::cos(2 * pi * i / points));
+  for (int i = 0; i < points; ++i)
+    sum += std::hypot(a * std::sin(2 * pi * i / points), b * std::cos(2 * pi * i / points));
   return sum * 2 * pi / points;
 }
 
@@ -111,8 +112,13 @@ TEST_CASE("The tension and the velocity that falling_tube is measured by") {
   const auto& shape = std::get<EllipseShape>(scene.bodies[1].shape);
   const double a = shape.semi_axes[0], area = pi * a * shape.semi_axes[1], time = 0.11, g = -scene.gravity[1];
   const double velocity = time * g * 200 * area / (1200 * area + 1000 * pi * a * a);
-  const Tube tube{velocity, perimeter_of_ellipse(a, shape.semi_axes[1]),    area, scene.membranes[0].axial_stiffness,
-                  1000,     1200 * std::pow(1000.0, 2), 1000 * g * velocity * time / 2};
+  const Tube tube{velocity,
+                  perimeter_of_ellipse(a, shape.semi_axes[1]),
+                  area,
+                  scene.membranes[0].axial_stiffness,
+                  1000,
+                  1200 * std::pow(1000.0, 2),
+                  1000 * g * velocity * time / 2};
   const VectorXd u = solve(tube, a, 6e4);
   CHECK(residual(tube, u).norm() < 1e-9);
   for (const VerifySpec& verify : scene.verify) {

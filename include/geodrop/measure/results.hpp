@@ -19,7 +19,8 @@ struct Result {
   double balance_error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Beyond this balance_error a tension is no equilibrium, and an expectation of it fails: nothing bears it but the grid.
+/// Beyond this balance_error a tension is no equilibrium, and an expectation of it fails: nothing bears it but the
+/// grid.
 inline constexpr double most_balance_error = 0.5;
 
 /// A result beside what was expected of it.
