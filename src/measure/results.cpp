@@ -61,9 +61,10 @@ double reduce_series(const ResultSpec& spec, const Series& series, const History
 /// Of a result that is the largest of a membrane's tensions: the error of its balance in that row.
 double balance_error(const ResultSpec& spec, const HistoryTable& history) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t tension = history.find(spec.column), dot = spec.column.find(".tension_");
+  const std::size_t dot = std::min(spec.column.find(".tension_gauge_N_m"), spec.column.find(".tension_max_N_m"));
   if (spec.reduce != Reduction::max || dot == std::string::npos) return none;
-  const std::size_t error = history.find(spec.column.substr(0, dot) + balance_column);
+  const std::size_t tension = history.find(spec.column),
+                    error = history.find(spec.column.substr(0, dot) + balance_column);
   if (error == history.columns.size()) return none;
   const std::vector<double>* largest = nullptr;
   for (const std::vector<double>& row : history.rows)
