@@ -23,8 +23,6 @@ Scene scene_of_bag(double gravity) {
   scene.grid.lower = {-2, -2};
   scene.grid.upper = {2, 2};
   scene.grid.spacing = 0.125;
-  scene.walls.lower.assign(2, WallKind::slip);
-  scene.walls.upper.assign(2, WallKind::slip);
   scene.bodies.resize(1);
   scene.bodies[0].name = "sand";
   return scene;
