@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "contact/rigid_surface.hpp"
+#include "geometry/polygon.hpp"
+#include "measure/membrane_balance.hpp"
 #include "measure/particle_columns.hpp"
 
 namespace geodrop {
@@ -139,6 +141,25 @@ Precision precision_for(const State<Dim>& state) {
 }
 
 }  // namespace
+
+void add_balance(const Scene& scene, const State<2>& state, Snapshot& snapshot) {
+  Field curvature{"curvature_load", {}, {}}, pressure{"pressure_jump", {}, {}};
+  for (const Membrane<2>& membrane : state.membranes) {
+    if (membrane.field == waiting) continue;
+    if (!(membrane.axial_stiffness > 0)) {
+      for (Field* field : {&curvature, &pressure})
+        field->values.insert(field->values.end(), membrane.segments(), std::numeric_limits<float>::quiet_NaN());
+      continue;
+    }
+    const std::vector<AcrossLine> across = balance_across(scene, state, membrane);
+    for (std::size_t s = 0; s < membrane.segments(); ++s) {
+      const std::size_t end = end_of_edge(s, membrane.nodes());
+      curvature.values.push_back(narrow(0.5 * (across[s].curvature + across[end].curvature)));
+      pressure.values.push_back(narrow(0.5 * (across[s].pressure + across[end].pressure)));
+    }
+  }
+  for (Field* field : {&curvature, &pressure}) snapshot.membranes.fields.push_back(std::move(*field));
+}
 
 template <int Dim>
 Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
 #include <string>
 #include <vector>
@@ -65,5 +66,8 @@ struct Snapshot {
 template <int Dim>
 Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials,
                        const std::vector<std::string>& fields = {});
+
+/// Fields of the segments of membranes that bear tension, measure/membrane_balance: curvature_load, pressure_jump [Pa].
+void add_balance(const Scene& scene, const State<2>& state, Snapshot& snapshot);
 
 }  // namespace geodrop

@@ -96,6 +96,18 @@ void list_balance(HistoryRow& row, const Scene& scene, const State<2>* state) {
 }
 void list_balance(HistoryRow&, const Scene&, const State<3>*) {}
 
+/// Of membranes that bear tension, in the plane: where it is largest now, and whether it is in balance there.
+void list_across(HistoryRow& row, const Scene& scene, const State<2>* state) {
+  for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
+    if (!(scene.membranes[m].axial_stiffness > 0)) continue;
+    const AcrossLine across = state ? balance_at_gauge(scene, *state, state->membranes[m]) : AcrossLine{};
+    row.add(scene.membranes[m].name + ".curvature_load_Pa", across.curvature);
+    row.add(scene.membranes[m].name + ".pressure_jump_Pa", across.pressure);
+    row.add(scene.membranes[m].name + balance_column, across.error);
+  }
+}
+void list_across(HistoryRow&, const Scene&, const State<3>*) {}
+
 /// Of sharp membranes.
 void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
@@ -189,6 +201,7 @@ HistoryRow list(const Scene& scene, const State<Dim>* state, const HistoryTable&
     list_membrane(row, scene.membranes[m].name, state ? measure(state->membranes[m]) : MembraneMeasures<Dim>{},
                   scene.membranes[m].closed);
   list_balance(row, scene, state);
+  list_across(row, scene, state);
   list_sharp(row, scene, state);
   for (const RigidSpec& rigid : scene.rigid)
     if (!std::holds_alternative<std::monostate>(rigid.motion))

@@ -9,6 +9,7 @@
 #include "base/nearest_name.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "membrane_balance.hpp"
 #include "series.hpp"
 
 namespace geodrop {
@@ -57,6 +58,23 @@ double reduce_series(const ResultSpec& spec, const Series& series, const History
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Of a result that is the largest of a membrane's tensions: the error of its balance in that row.
+double balance_error(const ResultSpec& spec, const HistoryTable& history) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t dot = std::min(spec.column.find(".tension_gauge_N_m"), spec.column.find(".tension_max_N_m"));
+  if (spec.reduce != Reduction::max || dot == std::string::npos) return none;
+  const std::size_t tension = history.find(spec.column),
+                    error = history.find(spec.column.substr(0, dot) + balance_column);
+  if (error == history.columns.size()) return none;
+  const std::vector<double>* largest = nullptr;
+  for (const std::vector<double>& row : history.rows)
+    if (row.front() >= spec.from && row.front() <= spec.to && (!largest || row[tension] > (*largest)[tension]))
+      largest = &row;
+  return largest ? (*largest)[error] : none;
+}
+
+bool out_of_balance(const Result& result) { return result.balance_error > most_balance_error; }
+
 std::vector<std::string> expectation_cells(const Expectation& expectation) {
   constexpr int digits = 6;
   const Result& result = expectation.result;
@@ -65,7 +83,7 @@ std::vector<std::string> expectation_cells(const Expectation& expectation) {
           result.unit,
           format_number(expectation.expected, digits),
           "+-" + format_number(expectation.tolerance, digits),
-          expectation.met ? "yes" : "NO",
+          expectation.met ? "yes" : (out_of_balance(result) ? "NO, out of balance" : "NO"),
           expectation.source};
 }
 
@@ -101,7 +119,7 @@ std::vector<Result> reduce_all(const Scene& scene, const HistoryTable& history) 
   for (ResultSpec spec : scene.results) {
     if (!spec.after.empty()) spec.from = std::max(spec.from, time_of(spec.after, always));
     spec.to = std::min(spec.to, time_of(spec.before, always));
-    results.push_back({spec.name, reduce(spec, history), unit_of_name(spec.name)});
+    results.push_back({spec.name, reduce(spec, history), unit_of_name(spec.name), balance_error(spec, history)});
   }
   return results;
 }
@@ -112,7 +130,7 @@ std::vector<Expectation> compare(const Scene& scene, const std::vector<Result>& 
     const Result* const found = find_or_null(results, spec.result);
     if (!found)
       throw SceneError(scene.file, {{spec.at, "expect.result", '"' + spec.result + '"', "the name of a result"}});
-    const bool met = std::abs(found->value - spec.expected) <= spec.tolerance;
+    const bool met = std::abs(found->value - spec.expected) <= spec.tolerance && !out_of_balance(*found);
     expectations.push_back({*found, spec.expected, spec.tolerance, spec.source, met});
   }
   return expectations;

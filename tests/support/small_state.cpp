@@ -8,6 +8,10 @@ Scene small_scene() {
   Scene scene;
   scene.file = "cases/small.toml";
   scene.title = "Four and four particles";
+  scene.walls.lower.assign(2, WallKind::slip);
+  scene.walls.upper.assign(2, WallKind::slip);
+  scene.grid.lower = {0, 0};
+  scene.grid.upper = {8, 8};
   scene.grid.spacing = 1.0;
   scene.gravity = {0.0, -10.0};
   scene.time.end = 1.0;

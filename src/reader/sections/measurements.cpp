@@ -71,7 +71,7 @@ SectionOf<ExpectSpec> expect_section() {
       "What a result should be, and says who; a run prints both side by side.", {
       key("result", &ExpectSpec::result, required, reference, "a name in results"),
       key("expected", &ExpectSpec::expected, "", required, any, "in the unit of the result"),
-      key("tolerance", &ExpectSpec::tolerance, "", required, not_negative, "met if |value - expected| <= tolerance"),
+      key("tolerance", &ExpectSpec::tolerance, "", required, not_negative, "met if |value - expected| <= tolerance; a largest tension must be in balance as well (docs/step.md, membranes_to_grid)"),
       key("source", &ExpectSpec::source, required, filled, "who says so"),
   }};
 }
