@@ -126,6 +126,8 @@ void add_rest(Data item, const State<Dim>& state, Hasher& hash) {
       return hash.add(state.viscous_boundaries);
     case Data::absorbing_layers:
       return hash.add(state.silent_sides);
+    case Data::anchors:
+      return hash.add(state.anchors);
     case Data::tracers:
       return hash.add(state.tracers);
     case Data::relaxation:
@@ -235,6 +237,7 @@ constexpr std::string_view names[] = {"time",
                                       "contacts",
                                       "viscous boundaries",
                                       "absorbing layers",
+                                      "anchors",
                                       "tracers",
                                       "relaxation",
                                       "energy budget",

@@ -22,6 +22,7 @@
 #include "fill_particles.hpp"
 #include "initial_velocity.hpp"
 #include "measure/probes/probes.hpp"
+#include "membrane/anchors.hpp"
 #include "membrane/membrane_nodes.hpp"
 #include "membrane/tension_gauge.hpp"
 #include "membrane/triangles.hpp"
@@ -329,6 +330,7 @@ State<Dim> build_state(const Scene& scene, const State<Dim>* earlier) {
     membrane.field = field_of(state, membrane);
   }
   add_contacts(scene, state);
+  for (const AnchorSpec& spec : scene.anchors) state.anchors.push_back(make_anchor(spec, state));
   if (Dim == 3 && any_membrane_load(scene)) allocate_loads(state, [](const Membrane<Dim>&) { return true; });
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });
