@@ -126,15 +126,22 @@ def colour_by_layer(display, layers):
     table.IndexedColors = [part for layer in range(layers) for part in LAYER_COLOURS[layer % 2]]
 
 
-def colour_by(display, association, field, view, location, from_zero):
-    """Colours by a field from the least to the largest value shown (or from 0), with a colour bar."""
+RANGES = {}  # of the fields that are shown, over all sources
+
+
+def colour_by(display, source, association, field, view, location, from_zero):
+    """Colours by a field from the least to the largest value of all that is coloured by it (or from 0), with a colour bar."""
     pv.ColorBy(display, (association, field.name) if field.component is None else (association, field.name, field.component))
-    display.RescaleTransferFunctionToDataRange(False, True)
+    array = (source.PointData if association == "POINTS" else source.CellData)[field.name]
+    names = [array.GetComponentName(c) for c in range(array.GetNumberOfComponents())]
+    low, high = array.GetRange(names.index(field.component) if field.component else 0)
+    if low <= high:  # else there is nothing of it
+        before = RANGES.get(field.name, (low, high))
+        RANGES[field.name] = min(low, before[0]), max(high, before[1])
+    low, high = RANGES.get(field.name, (0, 1))
     table = pv.GetColorTransferFunction(field.name)
     table.ApplyPreset("Viridis (matplotlib)", True)
-    if from_zero:
-        largest = table.RGBPoints[-4]
-        table.RescaleTransferFunction(0, largest if largest > 0 else 1.0)
+    table.RescaleTransferFunction(0 if from_zero else low, high if high > low or not from_zero else 1.0)
     legend = pv.GetScalarBar(table, view)
     legend.Title = field.title
     legend.ComponentTitle = ""
@@ -143,11 +150,11 @@ def colour_by(display, association, field, view, location, from_zero):
     legend.Visibility = 1
 
 
-def colour_body(display, scene, index, preset, show, view):
+def colour_body(display, source, scene, index, preset, show, view):
     body = scene["bodies"][index]
     water = is_fluid(scene, body)
     if preset.bodies and (preset.with_water or not water):
-        colour_by(display, "POINTS", preset.bodies, view, "Upper Right Corner", False)
+        colour_by(display, source, "POINTS", preset.bodies, view, "Upper Right Corner", False)
     elif water:
         colour_plainly(display, WATER_COLOUR, WATER_OPACITY)
     elif show != "layers":
@@ -167,12 +174,13 @@ def show_bodies(particles, scene, view, preset, show):
         source.Scalars = ["POINTS", "body"]
         source.LowerThreshold = index
         source.UpperThreshold = index
+        source.UpdatePipeline(view.ViewTime)
         # Discs that just overlap: the diagonal half of the spacing of particles.
         radius = 0.75 * spacing / body.get("particles_per_cell_axis", 2)
         display = show_particles(source, view, radius)
         if is_fluid(scene, body):
             put_behind(display, particles)
-        colour_body(display, scene, index, preset, show, view)
+        colour_body(display, source, scene, index, preset, show, view)
         if index == camera_body(scene):
             centre_of_interest = source
     return centre_of_interest
@@ -186,7 +194,7 @@ def show_membranes(path, view, time, field):
     display.SetRepresentationType("Surface")
     display.LineWidth = 5
     if field:
-        colour_by(display, "CELLS", field, view, "Upper Right Corner", True)
+        colour_by(display, membranes, "CELLS", field, view, "Upper Right Corner", True)
     else:
         colour_plainly(display, RIGID_COLOUR, 1.0)
         display.LineWidth = 2
@@ -202,8 +210,14 @@ def show_rigid(path, view, time):
 
 
 def show_axes(view, dimension):
-    """Axes with numbers in metres around what is shown."""
+    """Axes with numbers in metres; in 2D around most of the picture, whatever lies beyond."""
     grid = view.AxesGrid
+    if dimension == 2:
+        tall = 0.88 * view.CameraParallelScale
+        wide = 0.8 * view.CameraParallelScale * view.ViewSize[0] / view.ViewSize[1]
+        x, y, z = view.CameraFocalPoint
+        grid.UseCustomBounds = 1
+        grid.CustomBounds = [x - wide, x + wide, y - tall, y + tall, z, z]
     grid.Visibility = 1
     grid.XTitle, grid.YTitle, grid.ZTitle = "x [m]", "y [m]", "z [m]" if dimension == 3 else ""
     for colour in ("XTitleColor", "YTitleColor", "ZTitleColor", "XLabelColor", "YLabelColor", "ZLabelColor", "GridColor"):
@@ -253,12 +267,12 @@ def main():
     rigid = os.path.join(arguments.run, "rigid.pvd")
     if os.path.exists(rigid):
         show_rigid(rigid, view, time)
-    show_axes(view, dimension)
     label = pv.Show(pv.Text(registrationName="time", Text="t = {:.2f} s, {}".format(time, arguments.show)), view)
     label.Color = [0, 0, 0]
     label.FontSize = 24
     label.WindowLocation = "Upper Left Corner"
     aim_camera(view, body, time, dimension)
+    show_axes(view, dimension)
 
     if arguments.screenshot:
         pv.SaveScreenshot(arguments.screenshot, view, ImageResolution=arguments.size)
