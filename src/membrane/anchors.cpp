@@ -70,7 +70,7 @@ class Hold {
     anchor_.stretch = distance_ - anchor_.length - dt * towards.dot(v);
     const double beyond = anchor_.stretch + dt * dt * answer_ * tension_;  // of the line if it bore nothing
     const double tension = std::max(0.0, beyond / (anchor_.compliance + dt * dt * answer_));
-    const Vec<Dim> change = dt * (tension - tension_) * towards;
+    Vec<Dim> change = dt * (tension - tension_) * towards;
     tension_ = tension;
     return change;
   }
