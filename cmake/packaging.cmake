@@ -12,7 +12,7 @@ install(FILES "${told}/geodrop.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(FILES "${told}/geodrop" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(DIRECTORY cases paraview DESTINATION "${share}" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md CHANGELOG.md CITATION.cff codemeta.json LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # What the pages link to lies beside them as in the source tree, so that links lead somewhere.
 file(GLOB pages CONFIGURE_DEPENDS *.md docs/*.md docs/*/*.md)
 foreach(page IN LISTS pages)

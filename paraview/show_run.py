@@ -1,12 +1,16 @@
-"""Show a geodrop run in ParaView: layers of the bag, water faint, membrane by tension, camera on the bag.
+"""Show a geodrop run in ParaView: soil, water, membrane, rigid bodies such as a barge, axes in metres, camera on the bag.
 
-    pvpython show_run.py RUN_DIR [--time T]                       opens a window
-    pvbatch show_run.py RUN_DIR [--time T] --screenshot FILE      writes a PNG
+    pvpython show_run.py RUN_DIR [--time T] [--show PRESET]                       opens a window
+    pvbatch show_run.py RUN_DIR [--time T] [--show PRESET] --screenshot FILE      writes a PNG
+
+Presets: layers (of the soil; membrane by tension), stresses (upright stress of the soil, tension positive), pressure
+(mean pressure of all bodies), tension (of the membrane, bodies plain), utilisation (tension over strength, likewise).
 
 Works with ParaView 5.11 (Debian 12) and later. Without a display: xvfb-run -a pvbatch ...
 """
 
 import argparse
+import collections
 import os
 import re
 import sys
@@ -18,6 +22,26 @@ WATER_OPACITY = 0.25
 SOLID_COLOURS = [[0.62, 0.55, 0.45], [0.50, 0.50, 0.50]]
 # Light and dark in turn, so that neighbouring layers differ also in a print without colour.
 LAYER_COLOURS = [[0.85, 0.62, 0.25], [0.45, 0.26, 0.12]]
+PLAIN_COLOUR = [0.55, 0.50, 0.45]
+RIGID_COLOUR = [0.15, 0.15, 0.15]
+
+# What bodies and the membrane are coloured by; a field is its name, its component or None, and its title.
+Field = collections.namedtuple("Field", "name component title")
+Preset = collections.namedtuple("Preset", "bodies membrane with_water")
+TENSION = Field("tension", None, "tension [N/m]")
+
+
+def presets(dimension):
+    upright = "YY" if dimension == 2 else "ZZ"
+    return {
+        "layers": Preset(None, TENSION, False),
+        "stresses": Preset(Field("stress", upright, "stress " + upright + " [Pa]"), None, False),
+        "pressure": Preset(Field("mean_pressure", None, "mean pressure [Pa]"), None, True),
+        "tension": Preset(None, TENSION, False),
+        "utilisation": Preset(None, Field("utilisation", None, "tension / strength [-]"), False),
+    }
+
+
 # Part of the picture's height that the body takes.
 BODY_SHARE = 0.75
 
@@ -26,6 +50,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", help="directory of a run, with particles.pvd")
     parser.add_argument("--time", type=float, help="simulated time [s]; the nearest frame is shown; default: the last")
+    parser.add_argument("--show", choices=list(presets(2)), default="layers", help="what the colours mean")
     parser.add_argument("--screenshot", help="PNG file to write instead of opening a window")
     parser.add_argument("--size", type=int, nargs=2, default=[1000, 1200], metavar=("WIDTH", "HEIGHT"))
     return parser.parse_args()
@@ -101,7 +126,46 @@ def colour_by_layer(display, layers):
     table.IndexedColors = [part for layer in range(layers) for part in LAYER_COLOURS[layer % 2]]
 
 
-def show_bodies(particles, scene, view):
+RANGES = {}  # of the fields that are shown, over all sources
+
+
+def colour_by(display, source, association, field, view, location, from_zero):
+    """Colours by a field from the least to the largest value of all that is coloured by it (or from 0), with a colour bar."""
+    pv.ColorBy(display, (association, field.name) if field.component is None else (association, field.name, field.component))
+    array = (source.PointData if association == "POINTS" else source.CellData)[field.name]
+    names = [array.GetComponentName(c) for c in range(array.GetNumberOfComponents())]
+    low, high = array.GetRange(names.index(field.component) if field.component else 0)
+    if low <= high:  # else there is nothing of it
+        before = RANGES.get(field.name, (low, high))
+        RANGES[field.name] = min(low, before[0]), max(high, before[1])
+    low, high = RANGES.get(field.name, (0, 1))
+    table = pv.GetColorTransferFunction(field.name)
+    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.RescaleTransferFunction(0 if from_zero else low, high if high > low or not from_zero else 1.0)
+    legend = pv.GetScalarBar(table, view)
+    legend.Title = field.title
+    legend.ComponentTitle = ""
+    legend.TitleColor = legend.LabelColor = [0, 0, 0]
+    legend.WindowLocation = location
+    legend.Visibility = 1
+
+
+def colour_body(display, source, scene, index, preset, show, view):
+    body = scene["bodies"][index]
+    water = is_fluid(scene, body)
+    if preset.bodies and (preset.with_water or not water):
+        colour_by(display, source, "POINTS", preset.bodies, view, "Upper Right Corner", False)
+    elif water:
+        colour_plainly(display, WATER_COLOUR, WATER_OPACITY)
+    elif show != "layers":
+        colour_plainly(display, PLAIN_COLOUR, 0.4)
+    elif body.get("layers", 1) > 1:
+        colour_by_layer(display, int(body["layers"]))
+    else:
+        colour_plainly(display, SOLID_COLOURS[index % len(SOLID_COLOURS)], 1.0)
+
+
+def show_bodies(particles, scene, view, preset, show):
     """Shows every body; returns the source of the one that the camera looks at."""
     spacing = scene["grid"][0]["spacing"]
     centre_of_interest = None
@@ -110,38 +174,54 @@ def show_bodies(particles, scene, view):
         source.Scalars = ["POINTS", "body"]
         source.LowerThreshold = index
         source.UpperThreshold = index
+        source.UpdatePipeline(view.ViewTime)
         # Discs that just overlap: the diagonal half of the spacing of particles.
         radius = 0.75 * spacing / body.get("particles_per_cell_axis", 2)
         display = show_particles(source, view, radius)
         if is_fluid(scene, body):
             put_behind(display, particles)
-            colour_plainly(display, WATER_COLOUR, WATER_OPACITY)
-        elif body.get("layers", 1) > 1:
-            colour_by_layer(display, int(body["layers"]))
-        else:
-            colour_plainly(display, SOLID_COLOURS[index % len(SOLID_COLOURS)], 1.0)
+        colour_body(display, source, scene, index, preset, show, view)
         if index == camera_body(scene):
             centre_of_interest = source
     return centre_of_interest
 
 
-def show_membranes(path, view, time):
+def show_membranes(path, view, time, field):
+    """By the field; without one as a dark line."""
     membranes = pv.PVDReader(registrationName="membranes", FileName=path)
     membranes.UpdatePipeline(time)
     display = pv.Show(membranes, view)
     display.SetRepresentationType("Surface")
     display.LineWidth = 5
-    pv.ColorBy(display, ("CELLS", "tension"))
-    table = pv.GetColorTransferFunction("tension")
-    table.ApplyPreset("Viridis (matplotlib)", True)
-    largest = membranes.CellData["tension"].GetRange()[1]
-    table.RescaleTransferFunction(0, max(largest, 1.0))
-    legend = pv.GetScalarBar(table, view)
-    legend.Title = "tension [N/m]"
-    legend.ComponentTitle = ""
-    legend.TitleColor = legend.LabelColor = [0, 0, 0]
-    legend.WindowLocation = "Upper Right Corner"
-    legend.Visibility = 1
+    if field:
+        colour_by(display, membranes, "CELLS", field, view, "Upper Right Corner", True)
+    else:
+        colour_plainly(display, RIGID_COLOUR, 1.0)
+        display.LineWidth = 2
+
+
+def show_rigid(path, view, time):
+    rigid = pv.PVDReader(registrationName="rigid", FileName=path)
+    rigid.UpdatePipeline(time)
+    display = pv.Show(rigid, view)
+    display.SetRepresentationType("Surface")
+    display.LineWidth = 3
+    colour_plainly(display, RIGID_COLOUR, 1.0)
+
+
+def show_axes(view, dimension):
+    """Axes with numbers in metres; in 2D around most of the picture, whatever lies beyond."""
+    grid = view.AxesGrid
+    if dimension == 2:
+        tall = 0.88 * view.CameraParallelScale
+        wide = 0.8 * view.CameraParallelScale * view.ViewSize[0] / view.ViewSize[1]
+        x, y, z = view.CameraFocalPoint
+        grid.UseCustomBounds = 1
+        grid.CustomBounds = [x - wide, x + wide, y - tall, y + tall, z, z]
+    grid.Visibility = 1
+    grid.XTitle, grid.YTitle, grid.ZTitle = "x [m]", "y [m]", "z [m]" if dimension == 3 else ""
+    for colour in ("XTitleColor", "YTitleColor", "ZTitleColor", "XLabelColor", "YLabelColor", "ZLabelColor", "GridColor"):
+        setattr(grid, colour, [0.2, 0.2, 0.2])
 
 
 def aim_camera(view, source, time, dimension):
@@ -179,15 +259,20 @@ def main():
     particles.UpdatePipeline(time)
     pv.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     view.ViewTime = time
-    body = show_bodies(particles, scene, view)
+    preset = presets(dimension)[arguments.show]
+    body = show_bodies(particles, scene, view, preset, arguments.show)
     membranes = os.path.join(arguments.run, "membranes.pvd")
     if os.path.exists(membranes):
-        show_membranes(membranes, view, time)
-    label = pv.Show(pv.Text(registrationName="time", Text="t = {:.2f} s".format(time)), view)
+        show_membranes(membranes, view, time, preset.membrane)
+    rigid = os.path.join(arguments.run, "rigid.pvd")
+    if os.path.exists(rigid):
+        show_rigid(rigid, view, time)
+    label = pv.Show(pv.Text(registrationName="time", Text="t = {:.2f} s, {}".format(time, arguments.show)), view)
     label.Color = [0, 0, 0]
     label.FontSize = 24
     label.WindowLocation = "Upper Left Corner"
     aim_camera(view, body, time, dimension)
+    show_axes(view, dimension)
 
     if arguments.screenshot:
         pv.SaveScreenshot(arguments.screenshot, view, ImageResolution=arguments.size)

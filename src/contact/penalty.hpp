@@ -39,6 +39,7 @@ void forget_points(Contact& contact) {
   contact.points.clear();
   contact.slip.clear();
   contact.side.clear();
+  contact.piece.clear();
   contact.normal_force = contact.friction_force = {};
   contact.normal_sum = contact.friction_sum = 0;
 }

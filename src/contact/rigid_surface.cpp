@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/polygon.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -88,6 +90,35 @@ std::pair<double, double> stretch_in_domain(const Vec<2>& point, const Vec<2>& d
   return first < last ? std::pair{first, last} : std::pair{0.0, 0.0};
 }
 
+/// Of a box or polygon clockwise.
+void set_corners(const RigidShape& shape, RigidBody<2>& body) {
+  std::vector<Point> points;
+  if (const auto* line = std::get_if<PolylineShape>(&shape)) {
+    points = line->points;
+    body.radius = line->radius;
+  } else if (const auto* box = std::get_if<BoxShape>(&shape)) {
+    points = {box->lower, {box->lower[0], box->upper[1]}, box->upper, {box->upper[0], box->lower[1]}};
+  } else {
+    points = std::get<PolygonShape>(shape).points;
+    Array<double> x, y;
+    for (const Point& point : points) {
+      x.push_back(point[0]);
+      y.push_back(point[1]);
+    }
+    if (signed_area(x, y) > 0) std::reverse(points.begin(), points.end());
+  }
+  for (const Point& point : points) body.corners.push_back({point[0], point[1]});
+  body.from = body.corners.front();
+  body.to = body.corners.back();
+}
+
+std::optional<EdgeLine> line_of(const RigidBody<2>& body) {
+  if (body.corners.empty()) return std::nullopt;
+  std::vector<Vec<2>> corners;
+  for (const auto& corner : body.corners) corners.push_back(moved(body, as_vector(corner)));
+  return EdgeLine(std::move(corners), body.radius);
+}
+
 }  // namespace
 
 RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
@@ -101,11 +132,12 @@ RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
     body.normal = as_array(normal);
     body.from = as_array(point + first * turned_left(normal));
     body.to = as_array(point + last * turned_left(normal));
+  } else if (const auto* capsule = std::get_if<CapsuleShape>(&spec.shape)) {
+    body.from = as_array(as_vector(capsule->from));
+    body.to = as_array(as_vector(capsule->to));
+    body.radius = capsule->radius;
   } else {
-    const auto& capsule = std::get<CapsuleShape>(spec.shape);
-    body.from = as_array(as_vector(capsule.from));
-    body.to = as_array(as_vector(capsule.to));
-    body.radius = capsule.radius;
+    set_corners(spec.shape, body);
   }
   return body;
 }
@@ -129,6 +161,7 @@ RigidSurface::RigidSurface(const RigidBody<2>& body)
       from_(moved(body, as_vector(body.from))),
       to_(moved(body, as_vector(body.to))),
       length_((to_ - from_).norm()),
+      line_(line_of(body)),
       centre_(as_vector(body.centre) + as_vector(body.displacement)),
       drift_(as_vector(body.velocity)),
       spin_(body.angle_rate) {
@@ -139,6 +172,7 @@ RigidSurface::RigidSurface(const RigidBody<2>& body)
 }
 
 std::optional<RigidSurface::Gap> RigidSurface::gap(const Vec<2>& x, std::int8_t side) const {
+  if (line_) return line_->gap(x, side);
   const Vec<2> off = x - from_;
   if (half_plane_) return Gap{normal_.dot(off), normal_, side};
   const double along = length_ > 0 ? (to_ - from_).dot(off) / length_ : 0.0;
@@ -155,20 +189,33 @@ std::optional<RigidSurface::Gap> RigidSurface::gap(const Vec<2>& x, std::int8_t 
   return Gap{distance - radius_, radial / distance, side};
 }
 
+SurfaceTouch RigidSurface::touch(const Vec<2>& x, std::int8_t side, double reach) const {
+  if (line_) return line_->touch(x, side, reach);
+  const auto only = gap(x, side);
+  SurfaceTouch touch;
+  if (!only || !(only->size < reach)) return touch;
+  touch.gaps[0] = *only;
+  touch.count = 1;
+  return touch;
+}
+
 Vec<2> RigidSurface::velocity(const Vec<2>& x) const { return drift_ + spin_ * turned_left(x - centre_); }
 
 double RigidSurface::speed() const {
-  const double ends = std::max(velocity(from_).norm(), velocity(to_).norm());
+  double ends = std::max(velocity(from_).norm(), velocity(to_).norm());
+  for (const Vec<2>& corner : corners()) ends = std::max(ends, velocity(corner).norm());
   return ends + std::abs(spin_) * radius_;
 }
 
 bool RigidSurface::may_touch(const Vec<2>& lower, const Vec<2>& upper, double reach) const {
   const Vec<2> middle = (lower + upper) / 2, half = (upper - lower) / 2;
   if (half_plane_) return normal_.dot(middle - from_) - normal_.cwiseAbs().dot(half) < reach;
+  if (line_) return line_->distance(middle, half.norm() + reach) - half.norm() < reach;
   return distance_to_segment(middle, from_, to_) - half.norm() < radius_ + reach;
 }
 
 std::vector<Vec<2>> outline(const RigidBody<2>& body) {
+  if (const auto line = line_of(body)) return line->outline();
   const Vec<2> from = moved(body, as_vector(body.from)), to = moved(body, as_vector(body.to));
   if (body.half_plane) return {from, to};
   constexpr int chords = 16;  // of each rounded end

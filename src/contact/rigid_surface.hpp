@@ -3,12 +3,15 @@
 //   capsule        beside its segment: g = s n_left . (x - a) - r on the side s on which the point came, down to -2 r;
 //                  beyond its ends:    g = |x - end| - r
 //   half-plane     g = n . (x - a)
+//   box, polygon, polyline: edge_line.hpp
 #pragma once
 
 #include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
 
 #include <optional>
+
+#include "edge_line.hpp"
 
 namespace geodrop {
 
@@ -23,13 +26,15 @@ class RigidSurface {
  public:
   explicit RigidSurface(const RigidBody<2>& body);
 
-  struct Gap {
-    double size;       ///< negative inside [m]
-    Vec<2> normal;     ///< unit, out of the rigid body
-    std::int8_t side;  ///< as RigidContact::side
-  };
+  using Gap = SurfaceGap;
   /// `side`: that of the point so far. Nothing if the point has passed through.
   std::optional<Gap> gap(const Vec<2>& x, std::int8_t side) const;
+  /// The faces closer than `reach` [m]: one, or two of a polygon or polyline.
+  SurfaceTouch touch(const Vec<2>& x, std::int8_t side, double reach) const;
+  /// Whether it is a polygon or polyline, whose faces have numbers.
+  bool has_pieces() const { return line_.has_value(); }
+  /// Of a polygon or polyline, else none [m].
+  std::vector<Vec<2>> corners() const { return line_ ? line_->corners() : std::vector<Vec<2>>{}; }
   /// Of the surface's material at x [m/s].
   Vec<2> velocity(const Vec<2>& x) const;
   /// Largest speed of its points, of a half-plane's boundary within the domain at the start [m/s].
@@ -42,11 +47,12 @@ class RigidSurface {
   double radius_;
   Vec<2> from_, to_, normal_;  ///< of a capsule: unit, left of its segment
   double length_;
+  std::optional<EdgeLine> line_;  ///< of a box, polygon or polyline
   Vec<2> centre_, drift_;
   double spin_;
 };
 
-/// The outline of a capsule, a closed line of chords; of a half-plane the ends of its boundary [m].
+/// The outline, of a capsule with chords as its ends; of a half-plane the ends of its boundary [m].
 std::vector<Vec<2>> outline(const RigidBody<2>& body);
 
 }  // namespace geodrop

@@ -142,11 +142,14 @@ void hold_shift(State<2>& state, const Grid<2>& grid, double dt) {
     for_each_near(surface, grid.layout, body, contact.half_width, [&](std::size_t p, std::ptrdiff_t) {
       const auto known = std::lower_bound(contact.points.begin(), contact.points.end(), body.id[p]);
       if (known == contact.points.end() || *known != body.id[p]) return;
-      const auto gap = surface.gap(vector_at(body.x, p), contact.side[known - contact.points.begin()]);
-      if (!gap) return;
-      const double touches = touch_share(gap->size, contact.half_width[body.id[p]]);
-      const double out = touches * gap->normal.dot(shift_of(grid, body, p, dt));
-      for (int a = 0; a < 2; ++a) body.x[a][p] -= out * gap->normal[a];
+      const double width = contact.half_width[body.id[p]];
+      Vec<2> shift = shift_of(grid, body, p, dt);
+      const auto touch = surface.touch(vector_at(body.x, p), contact.side[known - contact.points.begin()], width);
+      for (const SurfaceGap& face : touch) {
+        const double out = touch_share(face.size, width) * face.normal.dot(shift);
+        shift -= out * face.normal;
+        for (int a = 0; a < 2; ++a) body.x[a][p] -= out * face.normal[a];
+      }
     });
   }
 }

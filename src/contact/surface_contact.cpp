@@ -19,42 +19,47 @@ namespace {
 /// The along direction of slip: the normal turned clockwise.
 Vec<2> tangent(const Vec<2>& normal) { return {normal[1], -normal[0]}; }
 
-/// Spring and side of a point, from the step before.
-struct Memory {
-  double slip = 0;
-  std::int8_t side = 0;
-};
-
 /// What the contact knew of its points, looked up in ascending order of their ids.
 class Memories {
  public:
   explicit Memories(const RigidContact<2>& contact)
-      : points_(contact.points), slip_(contact.slip), side_(contact.side) {}
-  Memory of(std::uint32_t id) {
+      : points_(contact.points), slip_(contact.slip), side_(contact.side), piece_(contact.piece) {}
+  /// None of a point that did not touch.
+  std::int8_t side_of(std::uint32_t id) {
     while (next_ < points_.size() && points_[next_] < id) ++next_;
-    if (next_ == points_.size() || points_[next_] != id) return {};
-    return {slip_[next_], side_[next_]};
+    return next_ < points_.size() && points_[next_] == id ? side_[next_] : std::int8_t{0};
+  }
+  /// Stretch at one of the faces that the point, the last one asked for, touches. From one face to the next it stays.
+  double slip_at(const SurfaceGap& face, const SurfaceTouch& touch, std::uint32_t id) const {
+    if (next_ == points_.size() || points_[next_] != id) return 0;
+    const bool two_before = next_ + 1 < points_.size() && points_[next_ + 1] == id;
+    if (piece_.empty() || (touch.count == 1 && !two_before)) return slip_[next_];
+    if (piece_[next_] == face.piece) return slip_[next_];
+    return two_before && piece_[next_ + 1] == face.piece ? slip_[next_ + 1] : 0;
   }
 
  private:
   Array<std::uint32_t> points_;
   Array<double> slip_;
   Array<std::int8_t> side_;
+  std::vector<std::uint32_t> piece_;
   std::size_t next_ = 0;
 };
 
 /// One point in contact, `v` [m/s] over the surface: its force; keeps its memory and adds to the sums.
-Vec<2> push(const ContactPoint& point, const RigidSurface::Gap& gap, const Vec<2>& v, double slip, double dt,
-            RigidContact<2>& contact) {
+Vec<2> push(const RigidSurface& surface, const ContactPoint& point, const RigidSurface::Gap& gap, const Vec<2>& v,
+            double slip, double dt, RigidContact<2>& contact) {
   const Vec<2> along = tangent(gap.normal);
   const double v_n = gap.normal.dot(v);
   slip += dt * along.dot(v);
-  const PenaltyForce force = penalty_force(penalty_of(contact, point.length), point.reach - gap.size, v_n, slip);
+  const PenaltyForce force =
+      penalty_force(penalty_of(contact, gap.share * point.length), point.reach - gap.size, v_n, slip);
   contact.friction_work += std::abs(force.friction) * std::abs(slip - force.stretch);
   contact.damping_work += (force.elastic - force.normal) * v_n * dt;
   contact.points.push_back(point.id);
   contact.slip.push_back(force.stretch);
   contact.side.push_back(gap.side);
+  if (surface.has_pieces()) contact.piece.push_back(gap.piece);
   contact.normal_sum += force.normal;
   contact.friction_sum += force.friction;
   for (int a = 0; a < 2; ++a) {
@@ -71,8 +76,8 @@ void add_membrane_contact(const RigidSurface& surface, double dt, Membrane<2>& m
     for (std::uint32_t k = 0; k < membrane.nodes(); ++k)
       points.push_back({k, vector_at(membrane.x, k), vector_at(membrane.v, k), node_length(membrane, k), 0});
   const std::vector<SurfaceForce> forces = contact_forces(surface, points, dt, contact);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (int a = 0; a < 2; ++a) membrane.load[a][points[i].id] += forces[i].force[a];
+  for (const SurfaceForce& on : forces)
+    for (int a = 0; a < 2; ++a) membrane.load[a][points[on.point].id] += on.force[a];
 }
 
 /// Half the width of each particle, by id; of those that an outline cuts, their distance from it (no less than a share
@@ -182,10 +187,10 @@ void add_particle_contact(const RigidSurface& surface, double dt, const Body<2>&
   const std::vector<SurfaceForce> forces = contact_forces(surface, points, dt, contact);
   const bool separate = !grid.force.empty();
   Array<Vec4>& field = separate ? grid.force : grid.sum;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [force, on] = forces[i];
+  for (const auto& [force, on, point] : forces) {
     const Vec4 f = (separate ? 1.0 : dt) * Vec4{force[0], force[1]};
-    const PointSupport<2> support(grid.layout, in_reach_of_grid(grid.layout, fluid ? on : points[i].x), body.half_size);
+    const PointSupport<2> support(grid.layout, in_reach_of_grid(grid.layout, fluid ? on : points[point].x),
+                                  body.half_size);
     support.for_each_node(grid.layout, [&](int node, double weight) { field[node] += weight * f; });
   }
 }
@@ -197,15 +202,20 @@ std::vector<SurfaceForce> contact_forces(const RigidSurface& surface, const std:
   Memories memories(contact);
   forget_points(contact);
   std::vector<SurfaceForce> forces;
-  for (const ContactPoint& point : points) forces.push_back({Vec<2>::Zero(), point.x});
+  for (std::size_t i = 0; i < points.size(); ++i) forces.push_back({Vec<2>::Zero(), points[i].x, i});
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Memory memory = memories.of(points[i].id);
-    const auto gap = surface.gap(points[i].x, memory.side);
-    if (!gap || !(gap->size < points[i].reach)) continue;
+    const SurfaceTouch touch = surface.touch(points[i].x, memories.side_of(points[i].id), points[i].reach);
     const Vec<2> driven = surface.velocity(points[i].x);
-    forces[i] = {push(points[i], *gap, points[i].v - driven, memory.slip, dt, contact),
-                 place_of_force(points[i], *gap)};
-    contact.driving_work += dt * forces[i].force.dot(driven);
+    for (const SurfaceGap& face : touch) {
+      const double slip = memories.slip_at(face, touch, points[i].id);
+      const SurfaceForce force{push(surface, points[i], face, points[i].v - driven, slip, dt, contact),
+                               place_of_force(points[i], face), i};
+      contact.driving_work += dt * force.force.dot(driven);
+      if (&face == touch.begin())
+        forces[i] = force;
+      else
+        forces.push_back(force);
+    }
   }
   return forces;
 }

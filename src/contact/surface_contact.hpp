@@ -38,9 +38,11 @@ struct ContactPoint {
 struct SurfaceForce {
   Vec<2> force;  ///< [N]
   Vec<2> on;     ///< [m]
+  std::size_t point = 0;
 };
 
-/// Forces on points in ascending order of their ids; those that touch become the contact's.
+/// Forces on points in ascending order of their ids, one for each point, then those of second faces that points in a
+/// corner touch; those that touch become the contact's.
 std::vector<SurfaceForce> contact_forces(const RigidSurface& surface, const std::vector<ContactPoint>& points,
                                          double dt, RigidContact<2>& contact);
 

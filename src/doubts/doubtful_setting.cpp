@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "contact/rigid_surface.hpp"
 #include "scene/needs.hpp"
 #include "setup/memory_estimate.hpp"
 
@@ -67,17 +68,9 @@ std::string wave_speed_doubt(const Scene& scene, const BodySpec& body) {
 bool is_rigid(const Scene& scene, const Point& x) {
   return std::ranges::any_of(scene.rigid, [&](const RigidSpec& rigid) {
     if (const auto* half = std::get_if<HalfPlaneShape>(&rigid.shape)) return contains(*half, x);
-    const auto& capsule = std::get<CapsuleShape>(rigid.shape);
-    double along = 0, length2 = 0;
-    for (std::size_t a = 0; a < x.size(); ++a) {
-      along += (x[a] - capsule.from[a]) * (capsule.to[a] - capsule.from[a]);
-      length2 += std::pow(capsule.to[a] - capsule.from[a], 2);
-    }
-    const double share = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
-    double distance2 = 0;
-    for (std::size_t a = 0; a < x.size(); ++a)
-      distance2 += std::pow(x[a] - capsule.from[a] - share * (capsule.to[a] - capsule.from[a]), 2);
-    return distance2 <= capsule.radius * capsule.radius;
+    constexpr double least = 1e-9;  // [m]
+    const Vec<2> at(x.data());
+    return RigidSurface(make_rigid_body(rigid, scene.grid)).may_touch(at, at, least);
   });
 }
 
@@ -181,7 +174,8 @@ std::vector<std::string> doubtful_output(const Scene& scene) {
   if (bytes > most_bytes)
     found.push_back("output.frame_interval = " + number(scene.output.frame_interval) + " s: up to " + number(frames) +
                     " frames of about " + number(bytes / giga) +
-                    " GB (not more than one a step); take a longer interval, or output.compress = true");
+                    " GB (not more than one a step); take a longer interval" +
+                    (scene.output.compress ? "" : ", or output.compress = true"));
   if (scene.output.frame_interval > scene.time.end)
     found.push_back("output.frame_interval is longer than the run: frames of its start and its end only");
   if (scene.time.end / scene.output.history_interval > most_rows)

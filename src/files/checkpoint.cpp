@@ -25,10 +25,11 @@ namespace {
 
 constexpr std::array<char, 8> magic = {'g', 'e', 'o', 'd', 'r', 'o', 'p', 'C'};
 /// To be raised when the layout of the file changes, i.e. with every change to archive.hpp.
-constexpr std::uint32_t format_version = 10;
+constexpr std::uint32_t format_version = 11;
 
 class Hash {
  public:
+  static constexpr bool passes_over_empty = true;
   Hash() : state_(XXH3_createState()) { XXH3_64bits_reset(state_.get()); }
   template <class T>
   void bytes(const T* first, std::size_t count) {

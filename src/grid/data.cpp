@@ -117,7 +117,8 @@ void add_rest(Data item, const State<Dim>& state, Hasher& hash) {
     case Data::stage:
       return hash.add(state.damping_rate, state.stages_entered);
     case Data::largest_motion:
-      for (const Body<Dim>& body : state.bodies) hash.add(body.open_pores);
+      for (const Body<Dim>& body : state.bodies)
+        for (const std::uint8_t is_explicit : body.implicit_pores) hash.add(is_explicit);
       return hash.add(state.drift, state.v_max);
     case Data::rigid_bodies:
       return hash.add(state.rigid);
@@ -127,6 +128,8 @@ void add_rest(Data item, const State<Dim>& state, Hasher& hash) {
       return hash.add(state.viscous_boundaries);
     case Data::absorbing_layers:
       return hash.add(state.silent_sides);
+    case Data::anchors:
+      return hash.add(state.anchors);
     case Data::tracers:
       return hash.add(state.tracers);
     case Data::relaxation:
@@ -236,6 +239,7 @@ constexpr std::string_view names[] = {"time",
                                       "contacts",
                                       "viscous boundaries",
                                       "absorbing layers",
+                                      "anchors",
                                       "tracers",
                                       "relaxation",
                                       "energy budget",

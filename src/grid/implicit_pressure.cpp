@@ -175,12 +175,12 @@ void press_pores(State<Dim>& state, const Grids<Dim>& grids, Grid<Dim>& grid, do
   bool open = false;
   const auto for_each_soil = [&](auto&& f) {
     for (Body<Dim>& body : state.bodies)
-      if (body.implicit_pore_pressure && body.field == grid.field) f(body);
+      if (!body.implicit_pores.empty() && body.field == grid.field) f(body);
   };
-  for_each_soil([&](const Body<Dim>& soil) { open = open || soil.open_pores; });
+  for_each_soil([&](const Body<Dim>& soil) { open = open || soil.implicit_pores.front(); });
   if (!open) press_cells(grid, dt);
   open = any_open_pores(grids, grid);
-  for_each_soil([&](Body<Dim>& soil) { soil.open_pores = open; });
+  for_each_soil([&](Body<Dim>& soil) { soil.implicit_pores.front() = open; });
 }
 
 #define GEODROP_INSTANTIATE(D)                    \

@@ -19,7 +19,7 @@ namespace geodrop {
 template <int Dim>
 void press_cells(Grid<Dim>& grid, double dt);
 
-/// The same, unless the last step found that this one has to be explicit (BodySettings::open_pores); renews that.
+/// The same, unless the last step found that this one has to be explicit (BodySettings::implicit_pores); renews that.
 /// Particles in cells that carry no pressure act by themselves, with all of their stiffness. Beside a sharp membrane
 /// the rows of join_interfaces, which follow, would press on soil that does not answer within the step: at rest its
 /// stored pore pressure would be larger by the factor 1 + (c dt / h)^2.

@@ -101,6 +101,8 @@ Totals<Dim> measure(const State<Dim>& state, const Point& gravity) {
     if (body.field != waiting) totals += body_totals(body, gravity);
   for (const Membrane<Dim>& membrane : state.membranes)
     if (membrane.field != waiting) totals += membrane_totals(membrane, gravity);
+  for (const Anchor<Dim>& anchor : state.anchors)
+    if (anchor.line) totals.membrane += 0.5 * anchor.compliance * Vec<Dim>(anchor.force.data()).squaredNorm();
   return totals;
 }
 

@@ -162,6 +162,20 @@ void list_contacts(HistoryRow& row, const Scene& scene, const State<Dim>* state)
   }
 }
 
+/// On the membrane, in the step before.
+template <int Dim>
+void list_anchors(HistoryRow& row, const Scene& scene, const State<Dim>* state) {
+  const std::string unit = Dim == 2 ? "N_m" : "N";
+  for (std::size_t i = 0; i < scene.anchors.size(); ++i) {
+    const Anchor<Dim> anchor = state ? state->anchors[i] : Anchor<Dim>{};
+    const Vec<Dim> force(anchor.force.data());
+    row.add_vector(scene.anchors[i].name + ".force", unit, force, Dim);
+    row.add(scene.anchors[i].name + ".pull_" + unit, force.norm());
+    if (std::holds_alternative<AnchorLineSpec>(scene.anchors[i].by))
+      row.add(scene.anchors[i].name + ".length_m", anchor.length + anchor.stretch);
+  }
+}
+
 template <int Dim>
 void list_rigid(HistoryRow& row, const std::string& name, const RigidBody<Dim>& rigid) {
   constexpr double degrees = 180 / std::numbers::pi;
@@ -207,6 +221,7 @@ HistoryRow list(const Scene& scene, const State<Dim>* state, const HistoryTable&
     if (!std::holds_alternative<std::monostate>(rigid.motion))
       list_rigid(row, rigid.name, state ? find_named(state->rigid, rigid.name) : RigidBody<Dim>{});
   list_contacts(row, scene, state);
+  list_anchors(row, scene, state);
   if (scene.relaxation.damping != RelaxationSpec::Damping::none)
     list_relaxation(row, state ? state->relaxation : Relaxation{});
   list_totals(row, state ? measure(*state, scene.gravity) : Totals<Dim>{}, earlier);

@@ -2,6 +2,7 @@
 
 #include "scene/needs.hpp"
 
+#include "anchors.hpp"
 #include "even_out_nodes.hpp"
 #include "fluid_load.hpp"
 #include "membrane_force.hpp"
@@ -60,6 +61,13 @@ Row<Dim> membranes_to_grid_row(const Scene& scene) {
 }
 
 template <int Dim>
+Row<Dim> anchors_row(const Scene& scene) {
+  return {"anchors", Data::anchors | Data::membranes | Data::membrane_position | Data::nodal_sums,
+          Data::nodal_velocity | Data::velocity_change | Data::anchors, !scene.anchors.empty(),
+          each_field<Dim>([](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { hold_anchors(s, g, step.dt); })};
+}
+
+template <int Dim>
 Row<Dim> grid_to_membranes_row(const Scene& scene) {
   return {"grid_to_membranes", Data::nodal_velocity | Data::velocity_change | Data::stage,
           Data::membrane_position | Data::membrane_velocity | Data::largest_motion, !scene.membranes.empty(),
@@ -78,6 +86,7 @@ Row<Dim> grid_to_tracers_row(const Scene& scene) {
 #define GEODROP_INSTANTIATE(D)                            \
   template Row<D> clear_loads_row<D>(const Scene&);       \
   template Row<D> membranes_to_grid_row<D>(const Scene&); \
+  template Row<D> anchors_row<D>(const Scene&);           \
   template Row<D> grid_to_membranes_row<D>(const Scene&); \
   template Row<D> grid_to_tracers_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)

@@ -14,6 +14,8 @@ Row<2> slide_membranes_row(const Scene& scene);
 template <int Dim>
 Row<Dim> membranes_to_grid_row(const Scene& scene);
 template <int Dim>
+Row<Dim> anchors_row(const Scene& scene);
+template <int Dim>
 Row<Dim> grid_to_membranes_row(const Scene& scene);
 template <int Dim>
 Row<Dim> grid_to_tracers_row(const Scene& scene);

@@ -22,6 +22,7 @@
 #include "fill_particles.hpp"
 #include "initial_velocity.hpp"
 #include "measure/probes/probes.hpp"
+#include "membrane/anchors.hpp"
 #include "membrane/membrane_nodes.hpp"
 #include "membrane/tension_gauge.hpp"
 #include "membrane/triangles.hpp"
@@ -73,7 +74,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec, const State<Dim>*
   body.material_name = spec.material;
   body.material = make_material(*find_material(scene, spec.material));
   body.pressure = spec.pressure;
-  body.implicit_pore_pressure = spec.implicit_pore_pressure;
+  if (spec.implicit_pore_pressure) body.implicit_pores = {0};
   body.shift = spec.shift;
   body.shift_speed = spec.shift_speed;
   body.half_size = 0.5 / spec.particles_per_cell_axis;
@@ -330,6 +331,7 @@ State<Dim> build_state(const Scene& scene, const State<Dim>* earlier) {
     membrane.field = field_of(state, membrane);
   }
   add_contacts(scene, state);
+  for (const AnchorSpec& spec : scene.anchors) state.anchors.push_back(make_anchor(spec, state));
   if (Dim == 3 && any_membrane_load(scene)) allocate_loads(state, [](const Membrane<Dim>&) { return true; });
   for (const StillFluidSpec& spec : scene.still_fluids)
     allocate_loads(state, [&](const Membrane<Dim>& membrane) { return membrane.name == spec.membrane; });

@@ -45,6 +45,14 @@ inline constexpr bool is_rigid_contact = false;
 template <int Dim>
 inline constexpr bool is_rigid_contact<RigidContact<Dim>> = true;
 template <class T>
+inline constexpr bool is_anchor = false;
+template <int Dim>
+inline constexpr bool is_anchor<Anchor<Dim>> = true;
+template <class T>
+inline constexpr bool is_rare_list = false;
+template <class T>
+inline constexpr bool is_rare_list<RareList<T>> = true;
+template <class T>
 inline constexpr bool is_viscous_boundary = false;
 template <int Dim>
 inline constexpr bool is_viscous_boundary<ViscousBoundary<Dim>> = true;
@@ -79,8 +87,8 @@ auto members(Part& part) {
     using Settings = std::conditional_t<std::is_const_v<Part>, const BodySettings, BodySettings>;
     return std::tuple_cat(members<Settings>(part), listed_fields(part));
   } else if constexpr (std::is_same_v<Plain, BodySettings>) {
-    auto& [name, material_name, material, field, pressure, implicit_pore_pressure, open_pores, shift, shift_speed,
-           half_size, enclosed, unit_weight, weightless_level] = part;
+    auto& [name, material_name, material, field, pressure, implicit_pores, shift, shift_speed, half_size, enclosed,
+           unit_weight, weightless_level] = part;
     return std::tie(name, material_name, material, field, pressure, implicit_pore_pressure, open_pores, shift,
                     shift_speed, half_size, enclosed, unit_weight, weightless_level);
   } else if constexpr (requires { fields_of(part); }) {
@@ -101,14 +109,18 @@ auto members(Part& part) {
     return std::tie(windows, sums, now, now_at, peak, peak_time, peak_at);
   } else if constexpr (is_rigid_body<Plain>) {
     auto& [name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement, angle_rate,
-           velocity] = part;
+           velocity, corners] = part;
     return std::tie(name, half_plane, from, to, normal, radius, centre, moving, present, moved, angle, displacement,
-                    angle_rate, velocity);
+                    angle_rate, velocity, corners);
+  } else if constexpr (is_anchor<Plain>) {
+    auto& [name, membrane, node, line, to, compliance, length, stretch, force] = part;
+    return std::tie(name, membrane, node, line, to, compliance, length, stretch, force);
   } else if constexpr (is_rigid_contact<Plain>) {
     auto& [touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side, normal_force,
-           friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work] = part;
+           friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work, piece] = part;
     return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side,
-                    normal_force, friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work);
+                    normal_force, friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work,
+                    piece);
   } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
     auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);
@@ -133,10 +145,10 @@ auto members(Part& part) {
     return std::tie(name, x, v, initial_x, field, body);
   } else {
     auto& [t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-           membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget, of_this_process] =
-        part;
+           membrane_contacts, viscous_boundaries, silent_sides, anchors, tracers, relaxation, energy_budget,
+           of_this_process] = part;
     return std::tie(t, step, drift, v_max, damping_rate, stages_entered, bodies, membranes, rigid, rigid_contacts,
-                    membrane_contacts, viscous_boundaries, silent_sides, tracers, relaxation, energy_budget);
+                    membrane_contacts, viscous_boundaries, silent_sides, anchors, tracers, relaxation, energy_budget);
   }
 }
 
@@ -181,6 +193,8 @@ void walk_material(Archive& archive, Material& material) {
 /// memory than the file has items.
 template <class Archive, class T>
 void walk_list(Archive& archive, T& list) {
+  if constexpr (is_rare_list<std::remove_const_t<T>> && requires { Archive::passes_over_empty; })
+    if (list.empty()) return;
   using Item = typename T::value_type;
   constexpr std::size_t least_bytes = is_plain<Item> ? sizeof(Item) : sizeof(std::size_t);
   const std::size_t length = archive.length(list.size(), least_bytes);

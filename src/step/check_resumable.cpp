@@ -1,5 +1,6 @@
 #include "check_resumable.hpp"
 
+#include <geodrop/base/find_named.hpp>
 #include <geodrop/grid/grid.hpp>
 
 #include <algorithm>
@@ -193,7 +194,7 @@ template <int Dim>
 void check_rigid(const RigidBody<Dim>& built, const RigidBody<Dim>& rigid) {
   using R = RigidBody<Dim>;
   const Part part("rigid body '" + built.name + "'");
-  part.require(alike(rigid, built, &R::name, &R::half_plane, &R::radius), "another name or shape");
+  part.require(alike(rigid, built, &R::name, &R::half_plane, &R::radius, &R::corners), "another name or shape");
   part.require(all_finite(rigid), "a value that is not finite");
 }
 
@@ -212,12 +213,27 @@ void check_rigid_contact(const State<Dim>& state, const RigidContact<Dim>& built
   for (const Membrane<Dim>& membrane : state.membranes)
     if (!contact.bare && membrane.name == contact.touching) points = membrane.nodes();
   const auto& ids = contact.points;
-  part.require(std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end() &&
-                   (ids.empty() || ids.back() < points),
-               "points that are out of order or not there");
+  const auto& pieces = contact.piece;
+  part.require(pieces.empty() || pieces.size() == ids.size(), "another number of points than of their faces");
+  const auto follows = [&](std::size_t i) {
+    return ids[i] > ids[i - 1] || (!pieces.empty() && ids[i] == ids[i - 1] && pieces[i] > pieces[i - 1]);
+  };
+  bool ascending = true;
+  for (std::size_t i = 1; i < ids.size(); ++i) ascending = ascending && follows(i);
+  part.require(ascending && (ids.empty() || ids.back() < points), "points that are out of order or not there");
   part.require(std::all_of(contact.side.begin(), contact.side.end(), [](int s) { return s >= -1 && s <= 1; }),
                "a point on no side");
   part.require(all_finite(contact), "a value that is not finite");
+}
+
+template <int Dim>
+void check_anchor(const State<Dim>& state, const Anchor<Dim>& built, const Anchor<Dim>& anchor) {
+  using A = Anchor<Dim>;
+  const Part part("anchor '" + built.name + "'");
+  part.require(alike(anchor, built, &A::name, &A::membrane, &A::line, &A::compliance, &A::length),
+               "another membrane or line");
+  part.require(anchor.node < find_named(state.membranes, anchor.membrane).nodes(), "a node that is not there");
+  part.require(all_finite(anchor), "a value that is not finite");
 }
 
 void check_membrane_contact(const MembraneContact& built, const MembraneContact& contact) {
@@ -306,6 +322,7 @@ void check_all(const Scene& scene, State<Dim>& built, const State<Dim>& state) {
              [&](const auto& a, const auto& b) { check_viscous_boundary(layout, a, b); });
   check_each("silent sides", built.silent_sides, state.silent_sides,
              [&](const auto& a, const auto& b) { check_silent_side(layout, a, b); });
+  check_each("anchors", built.anchors, state.anchors, [&](const auto& a, const auto& b) { check_anchor(state, a, b); });
   check_each("tracers", built.tracers, state.tracers,
              [&](const auto& a, const auto& b) { check_tracer(layout, a, b); });
 }

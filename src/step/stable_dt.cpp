@@ -53,7 +53,7 @@ double gas_speed_squared(const Body<Dim>& body, const MohrCoulombWithGas& soil) 
 template <int Dim>
 double wave_speed_squared(const Body<Dim>& body) {
   double c2 = std::pow(wave_speed(body.material), 2);
-  if (body.implicit_pore_pressure) c2 = explicit_modulus(body) / reference_density(body.material);
+  if (!body.implicit_pores.empty()) c2 = explicit_modulus(body) / reference_density(body.material);
   if (const auto* soil = std::get_if<MohrCoulombWithGas>(&body.material)) return gas_speed_squared(body, *soil);
   const auto* solid = std::get_if<NeoHookean>(&body.material);
   if (!solid) return c2;

@@ -55,6 +55,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     momentum_row<Dim>,
     mass_correction_row<Dim>,
     implicit_pressure_row<Dim>,
+    anchors_row<Dim>,
     join_interfaces_row<Dim>,
     pore_drag_row<Dim>,
     fill_other_sides_row<Dim>,

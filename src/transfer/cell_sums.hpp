@@ -10,7 +10,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   alignas(64) double volume[chunk_size], pressure[chunk_size];
   alignas(64) std::int32_t cell[chunk_size];
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
-  const double implicit = body.implicit_pore_pressure ? pore_stiffness(body.material) : 0.0;
+  const double implicit = !body.implicit_pores.empty() ? pore_stiffness(body.material) : 0.0;
   const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * explicit_modulus(body);
   double* const cell_volume = grid.cell_volume.data();
   double* const cell_pressure = grid.cell_pressure.data();

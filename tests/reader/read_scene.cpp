@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include <limits>
 #include <variant>
 
@@ -28,6 +30,7 @@ Scene without_places(Scene scene) {
   clear(scene.rigid);
   clear(scene.contacts);
   clear(scene.still_fluids);
+  clear(scene.anchors);
   clear(scene.viscous_boundaries);
   clear(scene.silent_sides);
   clear(scene.stages);
@@ -156,7 +159,12 @@ TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
                                               {"wall", wall, HingeMotionSpec{{9, 9.5}, 0.1, 40}, {}},
                                               {"ram", disc, TranslationMotionSpec{{0, -1}}, {}},
                                               {"wheel", disc, TableMotionSpec{{0, 1}, {9, 9}, {0, 90}, {}}, {}},
-                                              {"lift", disc, TableMotionSpec{{0, 1}, {}, {}, {{0, 0}, {0, 1}}}, {}}});
+                                              {"lift", disc, TableMotionSpec{{0, 1}, {}, {}, {{0, 0}, {0, 1}}}, {}},
+                                              {"block", BoxShape{{9, 9}, {9.2, 9.1}}, {}, {}},
+                                              {"ramp", PolygonShape{{{9, 9}, {9.2, 9}, {9.1, 9.1}}}, {}, {}},
+                                              {"bent", PolylineShape{{{9, 9}, {9.2, 9}, {9.3, 9.1}}, 0.05}, {}, {}}});
+  CHECK(scene.anchors == std::vector<AnchorSpec>{{"nail", "mat", {1, 8}, HeldSpec{}, {}},
+                                                 {"rope", "mat", {2, 8}, AnchorLineSpec{{2.5, 9.5}, 1e4, 1.5}, {}}});
   CHECK(scene.contacts == std::vector<ContactSpec>{{{"geotextile", "ground"}, 0.3, 0.5, 0.25, {}}});
   CHECK(scene.still_fluids ==
         std::vector<StillFluidSpec>{{"geotextile", "water", StillFluidSpec::Side::outside, 7, {}}});
@@ -171,7 +179,8 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.membranes[0].axial_stiffness == 1e6);
   CHECK(scene.membranes[0].slack == 0.01);
   CHECK(scene.membranes[0].segments_per_cell == 3);
-  CHECK(scene.membranes[1].contents_friction == -1);
+  CHECK(scene.membranes[2].contents_friction == -1);
+  CHECK(std::isinf(scene.membranes[1].contents_friction));
   CHECK(scene.membranes[1].gauge_length == 0.2);
   CHECK(scene.membranes[0].contents_friction == 0.3);
   CHECK(scene.membranes[0].gauge_length == 0.5);

@@ -38,6 +38,7 @@ enum class Data : std::uint8_t {
   contacts,
   viscous_boundaries,
   absorbing_layers,
+  anchors,
   tracers,
   relaxation,
   energy_budget,

@@ -17,7 +17,13 @@ struct CapsuleShape {
   double radius = 0;  ///< [m]
   bool operator==(const CapsuleShape&) const = default;
 };
-using RigidShape = std::variant<HalfPlaneShape, CapsuleShape>;
+/// All points within `radius` of a line of segments.
+struct PolylineShape {
+  std::vector<Point> points;  ///< [m]
+  double radius = 0;          ///< [m]
+  bool operator==(const PolylineShape&) const = default;
+};
+using RigidShape = std::variant<HalfPlaneShape, CapsuleShape, BoxShape, PolygonShape, PolylineShape>;
 
 /// Rotation about a point that stands still.
 struct HingeMotionSpec {

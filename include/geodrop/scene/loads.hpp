@@ -4,7 +4,9 @@
 #include <geodrop/base/error.hpp>
 #include <geodrop/geometry/shape.hpp>
 
+#include <limits>
 #include <string>
+#include <variant>
 
 namespace geodrop {
 
@@ -38,6 +40,26 @@ struct SilentSideSpec {
   double rest_time = 0;     ///< what lasts longer is taken for the state at rest [s]; inf: nothing is
   SourceRef at;
   bool operator==(const SilentSideSpec&) const = default;
+};
+/// Holds a node where it is drawn.
+struct HeldSpec {
+  bool operator==(const HeldSpec&) const = default;
+};
+/// An elastic line without mass from a node to a fixed point, which bears tension only.
+struct AnchorLineSpec {
+  Point to;                                                    ///< the fixed point [m]
+  double stiffness = std::numeric_limits<double>::infinity();  ///< force per extension [N/m], 2D: per metre of depth
+  double length = 0;                                           ///< at rest [m]
+  bool operator==(const AnchorLineSpec&) const = default;
+};
+/// Where a membrane hangs, see membrane/anchors.
+struct AnchorSpec {
+  std::string name;
+  std::string membrane;
+  Point point;  ///< on the membrane as drawn: its nearest node is held [m]
+  std::variant<HeldSpec, AnchorLineSpec> by;
+  SourceRef at;
+  bool operator==(const AnchorSpec&) const = default;
 };
 /// Fluid that is pumped into a body while from <= t < to: its rest volume grows.
 struct PumpSpec {

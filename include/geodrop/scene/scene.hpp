@@ -48,6 +48,7 @@ struct Scene {
   std::vector<RigidSpec> rigid;
   std::vector<ContactSpec> contacts;
   std::vector<StillFluidSpec> still_fluids;
+  std::vector<AnchorSpec> anchors;
   std::vector<ViscousBoundarySpec> viscous_boundaries;
   std::vector<SilentSideSpec> silent_sides;
   std::vector<PumpSpec> pumps;

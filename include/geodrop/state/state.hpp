@@ -13,6 +13,12 @@
 
 namespace geodrop {
 
+/// A list that most states have empty; the hash passes over it then, so that scenes without it keep theirs.
+template <class T>
+struct RareList : std::vector<T> {
+  using std::vector<T>::vector;
+};
+
 /// Velocity field of what a later stage of the scene places: none.
 inline constexpr int waiting = -1;
 
@@ -23,8 +29,9 @@ struct BodySettings {
   Material material;
   int field = 0;  ///< velocity field that it moves with, Grid::field; or waiting
   PressureSupport pressure = PressureSupport::cell;
-  bool implicit_pore_pressure = false;           ///< of undrained soil, see grid/implicit_pressure
-  bool open_pores = false;                       ///< it acted explicitly in the last step
+  /// Of undrained soil with implicit pore pressure, see grid/implicit_pressure: one entry, not 0 where the next step is
+  /// explicit; else empty.
+  RareList<std::uint8_t> implicit_pores;
   bool shift = false;                            ///< particle shifting (fluids)
   double shift_speed = 0;                        ///< v0 of the shift [m/s]
   double half_size = 0;                          ///< half width of a particle's domain (Basis::gimp) [h]
@@ -34,7 +41,7 @@ struct BodySettings {
 
 /// rho c^2 of a body as the time step has to follow it: without the water in its pores where that acts implicitly [Pa].
 inline double explicit_modulus(const BodySettings& body) {
-  const bool implicit = body.implicit_pore_pressure && !body.open_pores;
+  const bool implicit = !body.implicit_pores.empty() && !body.implicit_pores.front();
   return wave_modulus(body.material) - (implicit ? pore_stiffness(body.material) : 0);
 }
 
@@ -130,14 +137,27 @@ struct Membrane {
   bool slides() const { return !share.empty(); }
 };
 
+/// A node of a membrane that is held, or hangs on a line, see membrane/anchors.
+template <int Dim>
+struct Anchor {
+  std::string name, membrane;
+  std::uint32_t node = 0;
+  bool line = false;                ///< else held at `to`
+  std::array<double, Dim> to{};     ///< where it is held; the fixed end of the line [m]
+  double compliance = 0;            ///< of the line: extension per force; 0: it does not stretch [m/N]
+  double length = 0;                ///< of the line at rest [m]
+  double stretch = 0;               ///< of the line, in the last step [m]
+  std::array<double, Dim> force{};  ///< on the membrane, in the last step [N]
+};
+
 /// A rigid surface and how far it has moved. A pose is a rotation about `centre` and then a displacement.
 template <int Dim>
 struct RigidBody {
   std::string name;
-  bool half_plane = false;               ///< else a capsule
+  bool half_plane = false;               ///< else a capsule, or what its corners say
   std::array<double, Dim> from{}, to{};  ///< at the start: ends of the capsule's segment; a point of the half-plane [m]
   std::array<double, Dim> normal{};      ///< of a half-plane at the start: unit, out of the rigid body
-  double radius = 0;                     ///< of a capsule [m]
+  double radius = 0;                     ///< of a capsule or polyline [m]
   std::array<double, Dim> centre{};      ///< of rotation [m]
   bool moving = true;                    ///< its motion goes on
   bool present = true;                   ///< contacts notice it
@@ -146,6 +166,8 @@ struct RigidBody {
   std::array<double, Dim> displacement{};  ///< from the start [m]
   double angle_rate = 0;                   ///< over the last step [rad/s]
   std::array<double, Dim> velocity{};      ///< likewise [m/s]
+  /// At the start [m]: of a polygon (radius 0) clockwise, so that the outside is on the left; of a polyline in order.
+  RareList<std::array<double, Dim>> corners;
 };
 
 /// A membrane's nodes, or a body's particles, on a rigid body (2D). Nodes and particles are points here.
@@ -158,13 +180,15 @@ struct RigidContact {
   double damping = 0;           ///< of the penalty: pressure per normal velocity [Pa s/m]
   Array<double> reach;          ///< bare: how far its surface is from a particle at the start, by id [m]
   Array<double> half_width;     ///< bare: the same now, as the flow flattens or stretches what touches [m]
-  Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending
+  Array<std::uint32_t> points;  ///< that touched in the last step: nodes, or ids of particles; ascending; in a corner
+                                ///< of a polygon twice
   Array<double> slip;  ///< of each: stretch of its tangential spring, along the normal turned clockwise; 3D: vector [m]
   Array<std::int8_t> side;  ///< of each: 1 left, -1 right of the capsule's segment; 0: not yet beside it
   std::array<double, Dim> normal_force{}, friction_force{};  ///< sums over the points in the last step [N]
   double normal_sum = 0, friction_sum = 0;                   ///< sums of their sizes, friction with its sign [N]
   double friction_work = 0, damping_work = 0;                ///< turned into heat so far [J]
   double driving_work = 0;                                   ///< done by the motion of the rigid body so far [J]
+  RareList<std::uint32_t> piece;  ///< of each point on a polygon or polyline: its edge, or edges + corner; else empty
 };
 
 /// Two membranes that touch, or the folds of one, see contact/membrane_contact.
@@ -265,6 +289,7 @@ struct State {
   std::vector<MembraneContact> membrane_contacts;
   std::vector<ViscousBoundary<Dim>> viscous_boundaries;
   std::vector<SilentSide> silent_sides;
+  RareList<Anchor<Dim>> anchors;
   std::vector<Tracer<Dim>> tracers;
   Relaxation relaxation;
   EnergyBudget energy_budget;

@@ -28,12 +28,13 @@ void check_owner_names(const Scene& scene, Report& report) {
     const auto [place, is_new] = owner.emplace(name, key);
     if (!is_new)
       report.add(key + ".name", '"' + name + "\", already the name of " + place->second,
-                 "a name that no other body, membrane, rigid body or probe has");
+                 "a name that no other body, membrane, rigid body, anchor or probe has");
   };
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) claim(scene.bodies[i].name, report.element("bodies", i));
   for (std::size_t i = 0; i < scene.membranes.size(); ++i)
     claim(scene.membranes[i].name, report.element("membranes", i));
   for (std::size_t i = 0; i < scene.rigid.size(); ++i) claim(scene.rigid[i].name, report.element("rigid", i));
+  for (std::size_t i = 0; i < scene.anchors.size(); ++i) claim(scene.anchors[i].name, report.element("anchors", i));
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     claim(std::visit([](const auto& probe) { return probe.name; }, scene.probes[i].probe), report.element("probes", i));
   }

@@ -27,10 +27,24 @@ void check_table(const TableMotionSpec& table, const std::string& key, Report& r
                "one value for each time");
 }
 
+void check_rigid_shape(const RigidShape& shape, const std::string& key, Report& report) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) check_box(*box, key, report);
+  if (const auto* polygon = std::get_if<PolygonShape>(&shape)) check_polygon(*polygon, key, report);
+  const auto* line = std::get_if<PolylineShape>(&shape);
+  if (!line) return;
+  if (line->points.size() < 2)
+    report.add(key + ".points", std::to_string(line->points.size()) + " points", "at least 2 points");
+  else if (crosses_itself(line->points, Ends::open))
+    report.add(key + ".points", "a line that crosses itself", "a polyline that does not cross itself");
+  else
+    check_legs(line->points, Ends::open, key + ".points", report);
+}
+
 void check_rigid(const RigidSpec& rigid, const std::string& key, Report& report) {
   const auto* half = std::get_if<HalfPlaneShape>(&rigid.shape);
   if (half && report.healthy(key + ".shape") && !shape_is_sound(*half))
     report.add(key + ".shape.normal", to_text(half->normal), "a vector that is not zero");
+  if (report.healthy(key + ".shape")) check_rigid_shape(rigid.shape, key + ".shape", report);
   const auto* table = std::get_if<TableMotionSpec>(&rigid.motion);
   if (table && report.healthy(key + ".motion")) check_table(*table, key + ".motion", report);
 }
@@ -46,6 +60,18 @@ std::vector<Point> drawn_outline(const Scene& scene, const ContactPair& pair) {
   return outline(body->shape, finest_spacing(scene.grid) / points_per_cell);
 }
 
+/// How deep a corner of a rigid body is inside what touches it [m].
+double depth_of(const Scene& scene, const ContactPair& pair, const Point& x) {
+  const bool bare = pair.kind == ContactPair::Kind::body_on_rigid;
+  const BodySpec* body = find_body(scene, bare ? pair.touching : find_named(scene.membranes, pair.touching).body);
+  if (!body || !shape_is_sound(body->shape) || !contains(body->shape, x)) return 0;
+  double depth = distance_to_outline(body->shape, x);
+  for (const std::string& name : body->minus)
+    if (const BodySpec* cut = find_body(scene, name); cut && shape_is_sound(cut->shape))
+      depth = contains(cut->shape, x) ? 0 : std::min(depth, distance_to_outline(cut->shape, x));
+  return depth;
+}
+
 void check_start(const Scene& scene, const ContactPair& pair, const std::string& key, Report& report) {
   constexpr double allowed_share = 0.1;  // of a cell
   const double allowed = allowed_share * finest_spacing(scene.grid);
@@ -55,6 +81,8 @@ void check_start(const Scene& scene, const ContactPair& pair, const std::string&
     const auto gap = surface.gap(Vec<2>(x.data()), 0);
     if (gap) deepest = std::max(deepest, -gap->size);
   }
+  for (const Vec<2>& corner : surface.corners())
+    deepest = std::max(deepest, depth_of(scene, pair, {corner[0], corner[1]}));
   if (deepest > allowed)
     report.add(key + ".between",
                '"' + pair.touching + "\" up to " + to_text(deepest) + " m inside \"" + pair.other + '"',

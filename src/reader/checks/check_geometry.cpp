@@ -26,36 +26,6 @@ bool segments_cross(const Point& a, const Point& b, const Point& c, const Point&
   return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
 }
 
-bool crosses_itself(const std::vector<Point>& points) {
-  const std::size_t n = points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (segments_cross(points[i], points[i + 1], points[j], points[(j + 1) % n])) return true;
-    }
-  }
-  return false;
-}
-
-void check_box(const BoxShape& box, const std::string& key, Report& report) {
-  for (std::size_t a = 0; a < box.lower.size(); ++a) {
-    if (box.upper[a] > box.lower[a]) continue;
-    report.add(key + ".upper", to_text(box.upper), "larger than lower " + to_text(box.lower) + " along each axis");
-    return;
-  }
-}
-
-void check_polygon(const PolygonShape& polygon, const std::string& key, Report& report) {
-  if (polygon.points.size() < 3) {
-    report.add(key + ".points", std::to_string(polygon.points.size()) + " points", "at least 3 points");
-  } else if (crosses_itself(polygon.points)) {
-    report.add(key + ".points", "an outline that crosses itself", "a polygon that does not cross itself");
-  } else if (area(polygon) <= 0) {
-    report.add(key + ".points", "a polygon without area", "points that are not all on one line");
-  } else {
-    check_legs(polygon.points, Ends::closed, key + ".points", report);
-  }
-}
-
 void check_shape(const BodySpec& body, const std::string& key, Report& report) {
   if (!report.healthy(key)) return;
   if (const auto* box = std::get_if<BoxShape>(&body.shape)) check_box(*box, key, report);
@@ -256,6 +226,36 @@ class PlacementCheck {
 };
 
 }  // namespace
+
+bool crosses_itself(const std::vector<Point>& points, Ends ends) {
+  const std::size_t n = points.size(), legs = ends == Ends::closed ? n : n - 1;
+  for (std::size_t i = 0; i < legs; ++i) {
+    for (std::size_t j = i + 2; j < legs; ++j) {
+      if (segments_cross(points[i], points[i + 1], points[j], points[(j + 1) % n])) return true;
+    }
+  }
+  return false;
+}
+
+void check_box(const BoxShape& box, const std::string& key, Report& report) {
+  for (std::size_t a = 0; a < box.lower.size(); ++a) {
+    if (box.upper[a] > box.lower[a]) continue;
+    report.add(key + ".upper", to_text(box.upper), "larger than lower " + to_text(box.lower) + " along each axis");
+    return;
+  }
+}
+
+void check_polygon(const PolygonShape& polygon, const std::string& key, Report& report) {
+  if (polygon.points.size() < 3) {
+    report.add(key + ".points", std::to_string(polygon.points.size()) + " points", "at least 3 points");
+  } else if (crosses_itself(polygon.points, Ends::closed)) {
+    report.add(key + ".points", "an outline that crosses itself", "a polygon that does not cross itself");
+  } else if (area(polygon) <= 0) {
+    report.add(key + ".points", "a polygon without area", "points that are not all on one line");
+  } else {
+    check_legs(polygon.points, Ends::closed, key + ".points", report);
+  }
+}
 
 void check_legs(const std::vector<Point>& points, Ends ends, const std::string& key, Report& report) {
   constexpr double kRounding = 1e-9;  // of the outline's extent

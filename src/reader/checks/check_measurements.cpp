@@ -26,6 +26,7 @@ std::vector<std::string> column_owners(const Scene& scene) {
     const ContactPair pair = contact_pair(scene, contact);
     if (pair.kind != ContactPair::Kind::none) owners.push_back(pair.touching + '.' + pair.other);
   }
+  for (const std::string& name : names_of(scene.anchors)) owners.push_back(name);
   for (const ProbeSpec& probe : scene.probes) {
     const std::string name = std::visit([](const auto& p) { return p.name; }, probe.probe);
     if (!name.empty()) owners.push_back(name);
@@ -43,8 +44,8 @@ void check_column(const Scene& scene, const std::string& key, const std::string&
                "a column of history.csv: QUANTITY or NAME.QUANTITY, e.g. container.velocity_y_m_s");
   } else if (parts.size() > 1) {
     const std::string owner = column.substr(0, column.rfind('.'));
-    check_reference(key, owner, column_owners(scene), "bodies, membranes, moving rigid bodies, contacts or probes",
-                    report);
+    check_reference(key, owner, column_owners(scene),
+                    "bodies, membranes, moving rigid bodies, contacts, anchors or probes", report);
   }
 }
 

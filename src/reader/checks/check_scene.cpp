@@ -16,6 +16,7 @@ void check_scene(const Scene& scene, Report& report) {
   check_relaxation(scene, report);
   check_viscous_boundaries(scene, report);
   check_silent_sides(scene, report);
+  check_anchors(scene, report);
   check_pumps(scene, report);
   check_stages(scene, report);
   check_measurements(scene, report);

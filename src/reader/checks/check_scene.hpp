@@ -31,6 +31,7 @@ void check_still_fluids(const Scene& scene, Report& report);
 void check_relaxation(const Scene& scene, Report& report);
 void check_viscous_boundaries(const Scene& scene, Report& report);
 void check_silent_sides(const Scene& scene, Report& report);
+void check_anchors(const Scene& scene, Report& report);
 void check_pumps(const Scene& scene, Report& report);
 void check_stages(const Scene& scene, Report& report);
 void check_measurements(const Scene& scene, Report& report);
@@ -42,6 +43,12 @@ inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};
 /// Reports each point that stands on the one before it (of a closed outline also the last on the first): the leg
 /// between them has no direction.
 void check_legs(const std::vector<Point>& points, Ends outline, const std::string& key, Report& report);
+
+bool crosses_itself(const std::vector<Point>& points, Ends ends);
+
+/// Report a box or a polygon without area, one that crosses itself, points that stand twice.
+void check_box(const BoxShape& box, const std::string& key, Report& report);
+void check_polygon(const PolygonShape& polygon, const std::string& key, Report& report);
 
 /// The shape has what its geometry needs (it may still be off the grid, or empty).
 bool shape_is_sound(const Shape& shape);

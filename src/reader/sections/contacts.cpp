@@ -13,15 +13,20 @@ SectionOf<RigidShape> rigid_shape_section() {
   constexpr RowsOf<RigidShape> key;
   return {
       "shape of a rigid body", "",
-      "An inline table; `type` says which keys it has. What comes beside the segment of a capsule stays on the side "
-      "on which it came, down to twice the radius deep.", {
-      key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}}, required, "which shape; capsule: a segment with rounded ends").in(2),
+      "An inline table; `type` says which keys it has. What comes beside the segment of a capsule or a polyline stays "
+      "on the side on which it came, down to twice the radius deep. What is inside a box or polygon leaves it the "
+      "nearest way: parts thinner than a cell do not hold. In an inner corner both faces push, at an outer one the corner "
+      "does.", {
+      key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}, {"box", BoxShape{}}, {"polygon", PolygonShape{}}, {"polyline", PolylineShape{}}}, required, "which shape; capsule: a segment with rounded ends; polyline: a line of such segments").in(2),
       key("type", itself<RigidShape>, {{"half_space", HalfPlaneShape{}}}, required, "which shape").in(3),
       key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
       key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the rigid body; of any length").only("type=half_plane|half_space"),
       key("from", &CapsuleShape::from, "m", required, any, "one end of the segment").only("type=capsule"),
       key("to", &CapsuleShape::to, "m", required, any, "its other end; the same point: a disc").only("type=capsule"),
-      key("radius", &CapsuleShape::radius, "m", required, positive, "of the ends, half the thickness").only("type=capsule"),
+      key("lower", &BoxShape::lower, "m", required, any, "lower corner").only("type=box"),
+      key("upper", &BoxShape::upper, "m", required, any, "upper corner").only("type=box"),
+      key("points", Either(&PolygonShape::points, &PolylineShape::points), "m", required, any, "at least 3 corners of a polygon, in either sense, or 2 of a polyline, in order; neither crosses itself").only("type=polygon|polyline"),
+      key("radius", Either(&CapsuleShape::radius, &PolylineShape::radius), "m", required, positive, "of the ends, half the thickness").only("type=capsule|polyline"),
   }};
 }
 

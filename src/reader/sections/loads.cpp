@@ -4,6 +4,7 @@
 namespace geodrop {
 namespace {
 
+constexpr Range stiffness_range{"> 0; inf: it does not stretch", [](double x) { return x > 0; }, true};
 constexpr Range depth_range{"> 0; inf: no spring", [](double x) { return x > 0; }, true};
 constexpr Range rest_range{"> 0; inf: never", [](double x) { return x > 0; }, true};
 constexpr Range beyond_range{"> 0; inf: it stands still", [](double x) { return x > 0; }, true};
@@ -22,6 +23,24 @@ SectionOf<StillFluidSpec> still_fluids_section() {
       key("fluid", &StillFluidSpec::fluid, required, reference, "the newtonian material of the fluid"),
       key("side", &StillFluidSpec::side, {{"outside", StillFluidSpec::Side::outside}, {"inside", StillFluidSpec::Side::inside}}, standard("\"outside\""), "which side of the membrane it is on").in(3),
       key("surface", &StillFluidSpec::surface, "m", required, any, "level of its surface; of one that is pumped into a tube the level up to which it would rise in a standpipe"),
+  }};
+}
+
+SectionOf<AnchorSpec> anchors_section() {
+  constexpr RowsOf<AnchorSpec, &AnchorSpec::by> key;
+  return {
+      "[[anchors]]", "name",
+      "Points at which membranes hang: a node that is held where it is drawn, or that hangs on an elastic line "
+      "without mass. history.csv has the force of each on the membrane, `force_x_N_m`, `force_y_N_m` and its size "
+      "`pull_N_m` (in space `_N`), and `length_m` of a line. A membrane that hangs is glued to its contents "
+      "(`contents_friction = inf`).", {
+      key("name", &AnchorSpec::name, required, identifier, "heads the anchor's columns in history.csv"),
+      key("membrane", &AnchorSpec::membrane, required, reference, "the membrane that hangs on it, with interface = \"mixture\""),
+      key("at", &AnchorSpec::point, "m", required, any, "a point of the membrane as drawn, two cells or more from the sides of the domain; its nearest node is the one"),
+      key("type", &AnchorSpec::by, {{"held", HeldSpec{}}, {"line", AnchorLineSpec{}}}, required, "held: the node stays where it is drawn; line: a line from the node to a fixed point bears tension when it is longer than at rest"),
+      key("to", &AnchorLineSpec::to, "m", required, any, "the fixed end of the line; it may be outside of the domain").only("type=line"),
+      key("stiffness", &AnchorLineSpec::stiffness, "N/m", required, stiffness_range, "of the line, force per extension (2D: per metre of depth, N/m2)").only("type=line"),
+      key("length", &AnchorLineSpec::length, "m", required, positive, "of the line at rest").only("type=line"),
   }};
 }
 

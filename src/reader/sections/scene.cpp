@@ -46,6 +46,7 @@ SectionOf<Scene> top_level() {
       key.list("rigid", &Scene::rigid, rigid_section(), standard("[]"), "rigid ground and walls"),
       key.list("contacts", &Scene::contacts, contacts_section(), standard("[]"), "what touches what"),
       key.list("still_fluids", &Scene::still_fluids, still_fluids_section(), standard("[]"), "still water around or in membranes"),
+      key.list("anchors", &Scene::anchors, anchors_section(), standard("[]"), "points at which membranes hang"),
       key.list("stages", &Scene::stages, stages_section(), standard("[]"), "the parts of a run in time"),
       key.list("viscous_boundaries", &Scene::viscous_boundaries, viscous_boundaries_section(), standard("[]"), "edges of the ground that let waves out").in(2),
       key.list("absorbing_layers", &Scene::silent_sides, absorbing_layers_section(), standard("[]"), "layers beside walls through which waves in water leave").in(2).formerly("silent_sides"),

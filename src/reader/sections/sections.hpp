@@ -31,6 +31,7 @@ SectionOf<RigidMotion> rigid_motion_section();
 SectionOf<RigidSpec> rigid_section();
 SectionOf<ContactSpec> contacts_section();
 SectionOf<StillFluidSpec> still_fluids_section();
+SectionOf<AnchorSpec> anchors_section();
 SectionOf<ViscousBoundarySpec> viscous_boundaries_section();
 SectionOf<SilentSideSpec> absorbing_layers_section();
 SectionOf<PumpSpec> pumps_section();
