@@ -89,8 +89,8 @@ auto members(Part& part) {
   } else if constexpr (std::is_same_v<Plain, BodySettings>) {
     auto& [name, material_name, material, field, pressure, implicit_pores, shift, shift_speed, half_size, enclosed,
            unit_weight, weightless_level] = part;
-    return std::tie(name, material_name, material, field, pressure, implicit_pore_pressure, open_pores, shift,
-                    shift_speed, half_size, enclosed, unit_weight, weightless_level);
+    return std::tie(name, material_name, material, field, pressure, implicit_pores, shift, shift_speed, half_size,
+                    enclosed, unit_weight, weightless_level);
   } else if constexpr (requires { fields_of(part); }) {
     return listed_fields(part);
   } else if constexpr (is_membrane<Plain>) {
