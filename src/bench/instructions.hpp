@@ -21,8 +21,8 @@ struct InstructionCount {
   }
 };
 
-/// Share of instructions more than the committed ones that fails: the place of a checkout moves the heap, and with it counts of the
-/// same code by up to 1.1 % (perf/README.md).
+/// Share of instructions more than the committed ones that fails: the place of a checkout moves the heap, and with it
+/// counts of the same code by up to 1.1 % (perf/README.md).
 inline constexpr double allowed_more = 0.02;
 
 struct InstructionVerdict {

@@ -44,8 +44,8 @@ double face_measure(const GridLayout<Dim>& layout) {
   return Dim == 2 ? layout.h : layout.h * layout.h;
 }
 
-/// int dN/dx_component over a cell, of the node that is entry `a` of its neighbourhood, walls folded in; h = 1; cell: stored
-/// coordinates.
+/// int dN/dx_component over a cell, of the node that is entry `a` of its neighbourhood, walls folded in; h = 1; cell:
+/// stored coordinates.
 template <int Dim>
 double slope_integral(const Grid<Dim>& grid, const std::array<int, Dim>& cell, const std::array<int, Dim>& a,
                       int component) {

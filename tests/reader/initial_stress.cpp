@@ -35,9 +35,9 @@ TEST_CASE("cohesion widens the range: 2 c cos(phi) = 17320.5 Pa, K0 up to (1.5 +
 }
 
 TEST_CASE("a drained soil carries the water's pressure: 68670 Pa at the foot, K0 up to (1.5 + 3.5) / 0.5 = 10") {
-  const std::vector<std::string> drained{"materials.clay.drainage=drained",
-                                         "materials.clay.porosity=", "materials.clay.fluid_bulk_modulus=",
-                                         "bodies.bed.implicit_pore_pressure=false"};
+  const std::vector<std::string> drained{
+      "materials.clay.drainage=drained",
+      "materials.clay.porosity=", "materials.clay.fluid_bulk_modulus=", "bodies.bed.implicit_pore_pressure=false"};
   CHECK(with_k0("9.99", drained).empty());
   CHECK(is_outside(with_k0("10.01", drained)));
 }

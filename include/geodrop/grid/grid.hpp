@@ -210,24 +210,24 @@ struct PartCell {
 /// What a field of the grid takes part in, and what needs it.
 namespace grid_role {
 enum : unsigned {
-  zero_each_step = 1,         ///< before particles are summed
-  zero_asleep = 2,            ///< in a block that goes to sleep
-  folded = 4,                 ///< ghosts of walls hand their sums on
-  velocity_like = 8,          ///< walls impose it
-  for_all = 16,               ///< every grid has it
-  for_light = 32,             ///< stresses apart from momentum, for nodes of small mass
-  for_change = 64,            ///< Transfer::blend and musl, mass_correction, relaxation
-  for_consistent = 128,       ///< MassMatrix::consistent
-  for_cells = 256,            ///< PressureSupport::cell, particles that shift
-  for_nodal = 512,            ///< PressureSupport::nodal
-  for_sharp = 1024,           ///< fields that meet at a sharp interface
-  for_rigid = 2048,           ///< particles that shift beside rigid bodies
-  for_moduli = 4096,          ///< cells of bodies that differ in rho c^2
-  for_pores = 8192,           ///< coupled soils
-  for_pore_water = 16384,     ///< the fluid in their pores
-  for_inertial_drag = 32768,  ///< coupled soils with Forchheimer's drag
-  for_inertial_water = 65536, ///< the fluid in their pores
-  for_implicit = 131072       ///< undrained soils whose pore pressure is found at the end of the step
+  zero_each_step = 1,          ///< before particles are summed
+  zero_asleep = 2,             ///< in a block that goes to sleep
+  folded = 4,                  ///< ghosts of walls hand their sums on
+  velocity_like = 8,           ///< walls impose it
+  for_all = 16,                ///< every grid has it
+  for_light = 32,              ///< stresses apart from momentum, for nodes of small mass
+  for_change = 64,             ///< Transfer::blend and musl, mass_correction, relaxation
+  for_consistent = 128,        ///< MassMatrix::consistent
+  for_cells = 256,             ///< PressureSupport::cell, particles that shift
+  for_nodal = 512,             ///< PressureSupport::nodal
+  for_sharp = 1024,            ///< fields that meet at a sharp interface
+  for_rigid = 2048,            ///< particles that shift beside rigid bodies
+  for_moduli = 4096,           ///< cells of bodies that differ in rho c^2
+  for_pores = 8192,            ///< coupled soils
+  for_pore_water = 16384,      ///< the fluid in their pores
+  for_inertial_drag = 32768,   ///< coupled soils with Forchheimer's drag
+  for_inertial_water = 65536,  ///< the fluid in their pores
+  for_implicit = 131072        ///< undrained soils whose pore pressure is found at the end of the step
 };
 }  // namespace grid_role
 

@@ -30,9 +30,9 @@ struct BodySpec {
   InitialStress initial_stress;
   PressureSupport pressure = PressureSupport::cell;
   bool implicit_pore_pressure = false;  ///< of undrained soil, see grid/implicit_pressure
-  int layers = 1;          ///< horizontal bands that colour the picture
-  double shift_speed = 0;  ///< v0 of particle shifting [m/s]
-  bool shift = false;      ///< particle shifting (fluids only)
+  int layers = 1;                       ///< horizontal bands that colour the picture
+  double shift_speed = 0;               ///< v0 of particle shifting [m/s]
+  bool shift = false;                   ///< particle shifting (fluids only)
   SourceRef at;
   bool operator==(const BodySpec&) const = default;
 };
