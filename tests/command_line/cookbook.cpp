@@ -87,7 +87,7 @@ TEST_CASE("Recipe 5: a sweep of the spacing, and its plot") {
 }
 
 TEST_CASE("Recipe 6: check tells how long a run takes; cells that are fine in a part only are fewer particles") {
-  const std::regex particles(R"(a run: (\d+) particles, about [^,]* steps, \d+:\d\d on this machine)");
+  const std::regex particles(R"(a run: (\d+) particles, about [^,]* steps, \d+(:\d\d)+ on this machine)");
   const auto count = [&](const std::vector<std::string>& settings) {
     const std::string said = checked(bag, settings);
     std::smatch match;
