@@ -12,6 +12,7 @@
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
 #include "grid/blocks.hpp"
+#include "grid/cell_pressure.hpp"
 #include "grid/momentum.hpp"
 #include "grid/nearby_cells.hpp"
 #include "wet_cells.hpp"
@@ -52,7 +53,7 @@ template <int Dim>
 bool stands(const Grid<Dim>& grid, int flat) {
   const double whole = cell_size(grid.layout, flat);
   const double grains = grid.occupied.empty() ? 0.0 : grid.occupied[flat];
-  return 1 - grid.taken[flat] >= least_part && (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0 &&
+  return 1 - grid.taken[flat] >= least_part && carries_pressure(grid, flat) &&
          grid.cell_volume[flat] + grains >= least_filled * whole;
 }
 

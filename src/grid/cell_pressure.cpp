@@ -154,7 +154,7 @@ void cell_volume_rate(Grid<Dim>& grid) {
     }
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;
-      const bool filled = (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0;
+      const bool filled = carries_pressure(grid, flat);
       const double share = grid.volume_rate[flat];  // of soften_light_cells
       grid.volume_rate[flat] = filled ? share * scale * flux[0][k] / grid.cell_volume[flat] : 0.0;
     }

@@ -14,6 +14,12 @@ namespace geodrop {
 /// implicit is, however little: that soil hardly changes its volume, whatever of the cell it has.
 inline constexpr double filled_ratio = 0.7;
 
+/// Whether a cell has a pressure and a volume rate of its own.
+template <int Dim>
+bool carries_pressure(const Grid<Dim>& grid, int flat) {
+  return (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0;
+}
+
 /// Turns the particle sums of the cells into pressures; decides which cells are filled, and (if `shift`) where
 /// particles shift.
 template <int Dim>

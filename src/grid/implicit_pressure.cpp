@@ -20,11 +20,6 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 template <int Dim>
-bool carries_pressure(const Grid<Dim>& grid, int flat) {
-  return (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0;
-}
-
-template <int Dim>
 std::vector<int> find_pressed(const Grid<Dim>& grid) {
   std::vector<int> out;
   for (const std::uint32_t block : grid.active_blocks)

@@ -109,7 +109,7 @@ CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::
 template <int Dim>
 void soften_light_cells(Grid<Dim>& grid, double dt) {
   Array<double>& share = grid.volume_rate;  // free until the volume rate is computed
-  const auto acts = [&](int flat) { return (grid.cell_flags[flat] & cell_filled) && grid.cell_volume[flat] > 0; };
+  const auto acts = [&](int flat) { return carries_pressure(grid, flat); };
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     std::fill_n(share.begin() + begin, count, 1.0);
     while (count > 0 && !acts(begin + count - 1)) --count;

@@ -8,27 +8,17 @@
 #include <vector>
 
 #include "grid/momentum.hpp"
+#include "grid/neighbourhood.hpp"
 #include "grid/point_support.hpp"
 #include "grid/seams.hpp"
 
 namespace geodrop {
 namespace {
 
-/// Coordinates of a node as stored, ghosts included.
-template <int Dim>
-std::array<int, Dim> stored_node(const GridLayout<Dim>& layout, int flat) {
-  std::array<int, Dim> node;
-  for (int a = Dim - 1; a >= 0; --a) {
-    node[a] = flat / layout.stride[a];
-    flat %= layout.stride[a];
-  }
-  return node;
-}
-
 /// Whether walls leave it free.
 template <int Dim>
 bool is_free(const GridLayout<Dim>& layout, int flat) {
-  const std::array<int, Dim> node = stored_node(layout, flat);
+  const std::array<int, Dim> node = stored_cell(layout, flat);
   for (int a = 0; a < Dim; ++a) {
     const int i = node[a] - GridLayout<Dim>::pad;
     if (!layout.periodic(a) && (i <= 0 || i >= layout.cells[a])) return false;
@@ -49,7 +39,7 @@ class Hold {
     support_.for_each_node(grid.layout, [&](int node, double weight) {
       const double mass = grid.sum[node][3];
       if (weight == 0 || !(mass > 0) || !is_free(grid.layout, node)) return;
-      const double carried = weight / std::max(mass, light_mass<Dim>(grid, stored_node(grid.layout, node)));
+      const double carried = weight / std::max(mass, light_mass<Dim>(grid, stored_cell(grid.layout, node)));
       nodes_.emplace_back(node_of_seam(grid.layout, node), carried);
       weights += carried * mass;
       answer_ += carried * weight;
