@@ -2,7 +2,10 @@
 add_library(geodrop_flags INTERFACE)
 
 # -Wno-psabi: GCC notes that 32-byte vectors are passed differently with AVX; nothing outside is handed one.
-target_compile_options(geodrop_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-psabi)
+target_compile_options(geodrop_flags INTERFACE -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wno-psabi)
+# Of files that are compiled together a local name may be that of another file, and g++ takes a file's own types for a header's.
+target_compile_options(geodrop_flags INTERFACE
+  $<IF:$<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>,-Wshadow=local$<SEMICOLON>-Wno-subobject-linkage,-Wshadow>)
 # GCC 12 reports overlapping copies inside std::string's operator+ that are not there (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(geodrop_flags INTERFACE -Wno-restrict)

@@ -1,7 +1,6 @@
 // The command line: parses, calls, and turns every way of failing into a message and an exit code.
 #include <geodrop/base/error.hpp>
 #include <geodrop/step/run.hpp>
-#include <geodrop/version.hpp>
 
 #include "command_line/bench.hpp"
 #include "command_line/check.hpp"
@@ -21,6 +20,7 @@
 #include "command_line/sweep.hpp"
 #include "command_line/threads.hpp"
 #include "command_line/verify.hpp"
+#include "files/build_identity.hpp"
 #include "reader/scene_schema.hpp"
 
 #include <omp.h>
@@ -189,7 +189,7 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& arguments) {
       [&](Sub& c) { c.add_flag("--completion", arguments.completion, "for bash"); },
       [&] {
         std::cout << (arguments.completion ? geodrop::bash_completion(app)
-                                           : geodrop::manual_page(app, GEODROP_VERSION));
+                                           : geodrop::manual_page(app, geodrop::this_build().version));
         return 0;
       });
   return commands;
@@ -246,7 +246,7 @@ int main(int argc, char** argv) {
   open_closed_outputs();
   restart_with_patient_threads(argv);
   CLI::App app{"geodrop: Material Point Method for soil, water and geotextile", "geodrop"};
-  app.set_version_flag("--version", std::string("geodrop ") + GEODROP_VERSION);
+  app.set_version_flag("--version", "geodrop " + geodrop::this_build().version);
   app.require_subcommand(0, 1);  // none is reported below, after what was not understood
   Arguments arguments;
   arguments.command = typed_command(argc, argv);

@@ -11,38 +11,40 @@
 namespace geodrop {
 namespace {
 
-constexpr OptionErrors errors{"geodrop fall"};
+constexpr OptionErrors fall_errors{"geodrop fall"};
 
 SemiAxes read_axes(const FallArguments& a) {
-  const Given given = errors.all_or_none({{"--perimeter", a.perimeter}, {"--area", a.area}});
+  const Given given = fall_errors.all_or_none({{"--perimeter", a.perimeter}, {"--area", a.area}});
   const bool has_axes = !a.semi_axes.empty();
   if (has_axes == (given == Given::all))
-    errors.refuse("the ellipse", has_axes ? "--semi-axes, --perimeter and --area" : "nothing",
-                  "either --semi-axes or --perimeter and --area");
+    fall_errors.refuse("the ellipse", has_axes ? "--semi-axes, --perimeter and --area" : "nothing",
+                       "either --semi-axes or --perimeter and --area");
   if (has_axes) return {a.semi_axes[0], a.semi_axes[1]};
-  return errors.with_option_names([&] { return upright_ellipse(*a.perimeter, *a.area); });
+  return fall_errors.with_option_names([&] { return upright_ellipse(*a.perimeter, *a.area); });
 }
 
 /// Density with the air.
 double read_density(const FallArguments& a) {
   if (!a.air) return a.density;
-  const double density = errors.with_option_names([&] { return density_with_air(a.density, *a.air); });
+  const double density = fall_errors.with_option_names([&] { return density_with_air(a.density, *a.air); });
   if (density <= a.water_density && a.density > a.water_density)
-    errors.refuse("--air", format_number(*a.air),
-                  "less than " + format_number(1 - a.water_density / a.density) + ", with which the container floats");
+    fall_errors.refuse(
+        "--air", format_number(*a.air),
+        "less than " + format_number(1 - a.water_density / a.density) + ", with which the container floats");
   return density;
 }
 
 std::optional<Drag> read_drag(const FallArguments& a, const SinkingEllipse& ellipse) {
   if (a.drag_coefficient && a.terminal_velocity)
-    errors.refuse("the drag", "--drag-coefficient and --terminal-velocity", "one of them");
+    fall_errors.refuse("the drag", "--drag-coefficient and --terminal-velocity", "one of them");
   if (!a.drag_coefficient && !a.terminal_velocity) {
-    if (a.width) errors.refuse("--width", "no drag", "with --drag-coefficient or --terminal-velocity");
+    if (a.width) fall_errors.refuse("--width", "no drag", "with --drag-coefficient or --terminal-velocity");
     return std::nullopt;
   }
   const double width = a.width ? *a.width : 2 * ellipse.across;
   if (a.drag_coefficient) return Drag{*a.drag_coefficient, width};
-  return Drag{errors.with_option_names([&] { return drag_coefficient(ellipse, width, *a.terminal_velocity); }), width};
+  return Drag{fall_errors.with_option_names([&] { return drag_coefficient(ellipse, width, *a.terminal_velocity); }),
+              width};
 }
 
 FallCase read_case(const FallArguments& a) {
@@ -52,8 +54,8 @@ FallCase read_case(const FallArguments& a) {
   found.drag = read_drag(a, found.ellipse);
   found.fall_height = a.fall_height;
   if (a.stiffness && !(found.drag && found.fall_height))
-    errors.refuse("--stiffness", found.drag ? "no --fall-height" : "no drag",
-                  "with --fall-height and --drag-coefficient or --terminal-velocity: landing needs a speed");
+    fall_errors.refuse("--stiffness", found.drag ? "no --fall-height" : "no drag",
+                       "with --fall-height and --drag-coefficient or --terminal-velocity: landing needs a speed");
   found.stiffness = a.stiffness;
   return found;
 }
@@ -84,7 +86,7 @@ void add_fall_options(CLI::App& command, FallArguments& a) {
 int run_fall(const FallArguments& arguments) {
   const FallCase given = read_case(arguments);
   if (!arguments.output.empty()) check_fall_directory(arguments.output);
-  const FallReport report = errors.with_option_names([&] { return make_fall_report(given); });
+  const FallReport report = fall_errors.with_option_names([&] { return make_fall_report(given); });
   std::cout << fall_text(report);
   if (!arguments.output.empty()) write_fall_files(arguments.output, report);
   return 0;

@@ -89,7 +89,7 @@ std::vector<ResultList> list_path(const FallCase& given, int steps) {
   return rows;
 }
 
-constexpr const char* results_file = "fall.csv";
+constexpr const char* fall_file = "fall.csv";
 constexpr const char* path_file = "path.csv";
 
 }  // namespace
@@ -106,16 +106,14 @@ std::string fall_text(const FallReport& report) {
   return text;
 }
 
-void check_fall_directory(const fs::path& directory) {
-  check_result_directory({directory, "geodrop fall", results_file});
-}
+void check_fall_directory(const fs::path& directory) { check_result_directory({directory, "geodrop fall", fall_file}); }
 
 void write_fall_files(const fs::path& directory, const FallReport& report) {
   make_result_directory(directory);
-  for (const char* old : {results_file, path_file}) fs::remove(directory / old);
+  for (const char* old : {fall_file, path_file}) fs::remove(directory / old);
   ResultList row = report.inputs;
   row.insert(row.end(), report.results.begin(), report.results.end());
-  write_file_atomically(directory / results_file, results_csv({row}));
+  write_file_atomically(directory / fall_file, results_csv({row}));
   if (!report.path.empty()) write_file_atomically(directory / path_file, results_csv(report.path));
 }
 

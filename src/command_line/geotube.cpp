@@ -16,7 +16,7 @@
 namespace geodrop {
 namespace {
 
-constexpr OptionErrors errors{"geodrop geotube"};
+constexpr OptionErrors geotube_errors{"geodrop geotube"};
 
 // --- Which tubes are asked for ---------------------------------------------------------------------------------------
 
@@ -43,10 +43,10 @@ std::vector<GeotubeInput> read_table(const std::string& text, const GeotubeInput
   const bool is_range = std::sscanf(range.c_str(), "%lf:%lf:%lf%n", &from, &to, &step, &used) == 3 &&
                         static_cast<std::size_t>(used) == range.size();
   if (!is_range || !(from > 0 && to >= from && step > 0 && std::isfinite(to / step)))
-    errors.refuse("--table", text, allowed);
+    geotube_errors.refuse("--table", text, allowed);
   constexpr double most_rows = 10000, rounding = 1e-9;  // of a step
   const double rows = std::floor((to - from) / step + rounding) + 1;
-  if (rows > most_rows) errors.refuse("--table", text, "at most 10000 rows");
+  if (rows > most_rows) geotube_errors.refuse("--table", text, "at most 10000 rows");
   for (const Choice& choice : choices) {
     if (text.substr(0, equals) != choice.name) continue;
     std::vector<GeotubeInput> inputs(static_cast<std::size_t>(rows), tube);
@@ -56,14 +56,14 @@ std::vector<GeotubeInput> read_table(const std::string& text, const GeotubeInput
     }
     return inputs;
   }
-  errors.refuse("--table", text, allowed);
+  geotube_errors.refuse("--table", text, allowed);
 }
 
 std::vector<GeotubeInput> read_inputs(const GeotubeArguments& arguments) {
   GeotubeInput tube{.perimeter = arguments.perimeter, .unit_weight = arguments.unit_weight, .value = 0};
   if (arguments.stiffness) tube.stiffness = *arguments.stiffness;
   if (arguments.water_level.has_value() != arguments.water_unit_weight.has_value())
-    errors.refuse("--water-level and --water-unit-weight", "one of them", "both or none");
+    geotube_errors.refuse("--water-level and --water-unit-weight", "one of them", "both or none");
   if (arguments.water_level) tube.water = {*arguments.water_level, *arguments.water_unit_weight};
 
   std::vector<std::string> found;
@@ -77,8 +77,8 @@ std::vector<GeotubeInput> read_inputs(const GeotubeArguments& arguments) {
   std::string names;
   for (const std::string& name : found) names += (names.empty() ? "" : " and ") + name;
   if (found.size() != 1)
-    errors.refuse("what is known of the fill", found.empty() ? "nothing" : names,
-                  "exactly one of --area, --height, --pressure, --tension, --table");
+    geotube_errors.refuse("what is known of the fill", found.empty() ? "nothing" : names,
+                          "exactly one of --area, --height, --pressure, --tension, --table");
   return arguments.table.empty() ? std::vector{tube} : read_table(arguments.table, tube);
 }
 
@@ -87,13 +87,13 @@ std::optional<TensionStrength> read_strength(const GeotubeArguments& arguments) 
     return TensionStrength{*arguments.strength, arguments.seam_efficiency, arguments.installation,
                            arguments.creep,     arguments.durability,      arguments.seam};
   if (arguments.seam_efficiency || arguments.installation || arguments.creep || arguments.durability || arguments.seam)
-    errors.refuse("--seam-efficiency and --reduction-...", "no --strength", "--strength, which they reduce");
+    geotube_errors.refuse("--seam-efficiency and --reduction-...", "no --strength", "--strength, which they reduce");
   return std::nullopt;
 }
 
 std::vector<Geotube> solve(const std::vector<GeotubeInput>& inputs) {
   std::vector<Geotube> tubes;
-  errors.with_option_names([&] {
+  geotube_errors.with_option_names([&] {
     for (const GeotubeInput& input : inputs) tubes.push_back(solve_geotube(input));
   });
   return tubes;

@@ -91,7 +91,7 @@ std::string table_text(const GeotubeReport& report) {
 
 // --- Files -----------------------------------------------------------------------------------------------------------
 
-constexpr const char* results_file = "geotube.csv";
+constexpr const char* geotube_file = "geotube.csv";
 constexpr int file_digits = 12;
 
 std::string tubes_csv(const GeotubeReport& report) {
@@ -148,13 +148,13 @@ std::string report_text(const GeotubeReport& report) {
 }
 
 void check_geotube_directory(const fs::path& directory) {
-  check_result_directory({directory, "geodrop geotube", results_file});
+  check_result_directory({directory, "geodrop geotube", geotube_file});
 }
 
 void write_geotube_files(const fs::path& directory, const GeotubeReport& report, int segments) {
   make_result_directory(directory);
-  for (const char* old : {results_file, "outline.csv", "outline.svg"}) fs::remove(directory / old);
-  write_file_atomically(directory / results_file, tubes_csv(report));
+  for (const char* old : {geotube_file, "outline.csv", "outline.svg"}) fs::remove(directory / old);
+  write_file_atomically(directory / geotube_file, tubes_csv(report));
   if (report.layout == ReportLayout::one_tube)
     write_file_atomically(directory / "outline.csv", outline_csv(geotube_outline(report.tubes.front(), segments)));
   write_chart(outline_chart(report, segments), directory / "outline.svg");

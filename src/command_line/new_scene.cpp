@@ -11,6 +11,7 @@
 #include "base/atomic_file.hpp"
 #include "base/nearest_name.hpp"
 #include "bench/machine.hpp"
+#include "option_errors.hpp"
 
 namespace geodrop {
 namespace {
@@ -128,9 +129,7 @@ column = "bag.height_m"
 reduce = "last"
 )";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
-  throw SceneError("geodrop new", {{{}, option, found, allowed, ProblemSource::elsewhere}});
-}
+constexpr OptionErrors new_scene_errors{"geodrop new"};
 
 /// A file, or a case by its name.
 std::string text_of_case(const std::string& from) {
@@ -145,8 +144,9 @@ std::string text_of_case(const std::string& from) {
     }
   std::ranges::sort(names);
   const std::string nearest = nearest_name(from, names);
-  refuse("--from", '"' + from + '"',
-         "a scene file, or the name of a case" + (nearest.empty() ? "" : "; the nearest is \"" + nearest + '"'));
+  new_scene_errors.refuse(
+      "--from", '"' + from + '"',
+      "a scene file, or the name of a case" + (nearest.empty() ? "" : "; the nearest is \"" + nearest + '"'));
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ void add_new_scene_options(CLI::App& command, NewSceneArguments& arguments) {
 int run_new_scene(const NewSceneArguments& arguments) {
   fs::path file = arguments.name;
   if (file.extension() != ".toml") file += ".toml";
-  if (fs::exists(file)) refuse("name", file.string() + ", which is there already", "a new name");
+  if (fs::exists(file)) new_scene_errors.refuse("name", file.string() + ", which is there already", "a new name");
   write_file_atomically(file, arguments.from.empty() ? beginning : text_of_case(arguments.from));
   std::cout << file.string() << "\nnext: geodrop check " << file.string() << '\n';
   return 0;

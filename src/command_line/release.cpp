@@ -14,10 +14,10 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180, right_angle = 90;
 
-constexpr OptionErrors errors{"geodrop release"};
+constexpr OptionErrors release_errors{"geodrop release"};
 
 std::optional<SplitBarge> read_barge(const ReleaseArguments& a) {
-  const Given given = errors.all_or_none(
+  const Given given = release_errors.all_or_none(
       {{"--hinge-radius", a.hinge_radius}, {"--wall-slope", a.wall_slope}, {"--friction", a.friction}});
   if (given == Given::none) return std::nullopt;
   return SplitBarge{*a.wall_slope * degree, *a.hinge_radius, *a.friction};
@@ -25,31 +25,32 @@ std::optional<SplitBarge> read_barge(const ReleaseArguments& a) {
 
 std::optional<double> read_opening_width(const ReleaseArguments& a, const std::optional<SplitBarge>& barge) {
   if (a.opening_angle && a.opening_width)
-    errors.refuse("how far the barge opens", "--opening-angle and --opening-width", "one of them");
+    release_errors.refuse("how far the barge opens", "--opening-angle and --opening-width", "one of them");
   if (a.opening_angle && !barge)
-    errors.refuse("--opening-angle", "no barge",
-                  "with --hinge-radius, --wall-slope and --friction; without, --opening-width");
+    release_errors.refuse("--opening-angle", "no barge",
+                          "with --hinge-radius, --wall-slope and --friction; without, --opening-width");
   if (barge && !a.opening_angle && !a.opening_width)
-    errors.refuse("how far the barge opens", "nothing", "--opening-angle or --opening-width");
+    release_errors.refuse("how far the barge opens", "nothing", "--opening-angle or --opening-width");
   if (!a.opening_angle) return a.opening_width;
-  return errors.with_option_names([&] { return opening_width(*barge, *a.opening_angle * degree); });
+  return release_errors.with_option_names([&] { return opening_width(*barge, *a.opening_angle * degree); });
 }
 
 void check_walls_lean(const ReleaseArguments& a, double angle) {
   const double most = right_angle - *a.wall_slope, found = angle / degree;
   if (found < most) return;
   const std::string walls = "less than " + format_number(most) + " deg, where the walls stand upright";
-  if (a.opening_angle) errors.refuse("--opening-angle", format_number(*a.opening_angle), walls);
-  errors.refuse("--opening-width", format_number(*a.opening_width) + " (each half at " + format_number(found) + " deg)",
-                walls);
+  if (a.opening_angle) release_errors.refuse("--opening-angle", format_number(*a.opening_angle), walls);
+  release_errors.refuse("--opening-width",
+                        format_number(*a.opening_width) + " (each half at " + format_number(found) + " deg)", walls);
 }
 
 std::optional<SinkingContainer> read_sinking(const ReleaseArguments& a) {
-  const Given given = errors.all_or_none(
+  const Given given = release_errors.all_or_none(
       {{"--volume", a.volume}, {"--frontal-area", a.frontal_area}, {"--drag-coefficient", a.drag_coefficient}});
   if (given == Given::none) return std::nullopt;
   if (a.water_density == 0)
-    errors.refuse("--water-density", "0 with --volume", "a density > 0 [kg/m3]: the terminal velocity is one in water");
+    release_errors.refuse("--water-density", "0 with --volume",
+                          "a density > 0 [kg/m3]: the terminal velocity is one in water");
   return SinkingContainer{*a.volume, *a.frontal_area, *a.drag_coefficient, a.density, a.water_density};
 }
 
@@ -58,12 +59,13 @@ ReleaseCase read_case(const ReleaseArguments& a) {
   found.barge = read_barge(a);
   found.opening_width = read_opening_width(a, found.barge);
   if (found.barge) {
-    found.opening_angle = errors.with_option_names([&] { return opening_angle(*found.barge, *found.opening_width); });
+    found.opening_angle =
+        release_errors.with_option_names([&] { return opening_angle(*found.barge, *found.opening_width); });
     check_walls_lean(a, found.opening_angle);
   }
   if (a.fall_height && a.water_density > 0)
-    errors.refuse("--fall-height", "--water-density " + format_number(a.water_density),
-                  "a fall in air, --water-density 0");
+    release_errors.refuse("--fall-height", "--water-density " + format_number(a.water_density),
+                          "a fall in air, --water-density 0");
   found.fall_height = a.fall_height;
   found.strength = a.strength;
   found.sinking = read_sinking(a);
@@ -108,7 +110,7 @@ void add_release_options(CLI::App& command, ReleaseArguments& a) {
 int run_release(const ReleaseArguments& arguments) {
   const ReleaseCase given = read_case(arguments);
   if (!arguments.output.empty()) check_release_directory(arguments.output);
-  const ReleaseReport report = errors.with_option_names([&] { return make_release_report(given); });
+  const ReleaseReport report = release_errors.with_option_names([&] { return make_release_report(given); });
   std::cout << release_text(report);
   if (!arguments.output.empty()) write_release_files(arguments.output, report);
   return 0;

@@ -89,7 +89,7 @@ std::vector<ResultList> list_wall_forces(const ReleaseCase& given) {
   return rows;
 }
 
-constexpr const char* results_file = "release.csv";
+constexpr const char* release_file = "release.csv";
 constexpr const char* forces_file = "wall_force.csv";
 
 }  // namespace
@@ -111,16 +111,16 @@ std::string release_text(const ReleaseReport& report) {
 }
 
 void check_release_directory(const fs::path& directory) {
-  check_result_directory({directory, "geodrop release", results_file});
+  check_result_directory({directory, "geodrop release", release_file});
 }
 
 void write_release_files(const fs::path& directory, const ReleaseReport& report) {
   make_result_directory(directory);
-  for (const char* old : {results_file, forces_file}) fs::remove(directory / old);
+  for (const char* old : {release_file, forces_file}) fs::remove(directory / old);
   ResultList row = report.inputs;
   row.insert(row.end(), report.results.begin(), report.results.end());
   row.push_back({"opening rule", "opening_rule_met", "-", report.rule == OpeningRule::met ? 1.0 : 0.0});
-  write_file_atomically(directory / results_file, results_csv({row}));
+  write_file_atomically(directory / release_file, results_csv({row}));
   if (!report.wall_forces.empty()) write_file_atomically(directory / forces_file, results_csv(report.wall_forces));
 }
 

@@ -4,14 +4,13 @@
 #include <geodrop/files/checkpoint.hpp>
 #include <geodrop/reader/scene_reader.hpp>
 #include <geodrop/step/pipeline.hpp>
-#include <geodrop/version.hpp>
 
 #include "base/text.hpp"
+#include "files/build_identity.hpp"
 #include "files/hash_file.hpp"
 #include "membrane/tension_gauge.hpp"
 #include "step/initial_state.hpp"
 #include "step/parts.hpp"
-#include "transfer/levels.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -119,8 +118,8 @@ void tell_difference(const Replay& result, const Recorded& recorded) {
   else
     std::cout << ", where it breaks now: " << result.broken << '\n';
   tell_part(result, recorded);
-  std::cout << "now: geodrop " << GEODROP_VERSION << ", compiler " << __VERSION__ << ", sums " << kernel_arithmetic()
-            << '\n';
+  const BuildIdentity now = this_build();
+  std::cout << "now: geodrop " << now.version << ", compiler " << now.compiler << ", sums " << now.sums << '\n';
 }
 
 Recorded read_recorded(const fs::path& run) {

@@ -10,6 +10,7 @@
 
 #include "files/read_frames.hpp"
 #include "only_if.hpp"
+#include "option_errors.hpp"
 
 namespace geodrop {
 namespace {
@@ -34,13 +35,11 @@ void add_picture_options(CLI::App& command, SnapshotArguments& arguments) {
       ->expected(2);
 }
 
-[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
-  throw SceneError("geodrop snapshot", {{{}, option, found, allowed, ProblemSource::elsewhere}});
-}
+constexpr OptionErrors snapshot_errors{"geodrop snapshot"};
 
 std::optional<ValueRange> range_of(const std::vector<double>& ends, const char* option) {
   if (ends.empty()) return std::nullopt;
-  if (!(ends[0] < ends[1])) refuse(option, "two numbers that are not in order", "LOW,HIGH");
+  if (!(ends[0] < ends[1])) snapshot_errors.refuse(option, "two numbers that are not in order", "LOW,HIGH");
   return ValueRange{ends[0], ends[1]};
 }
 
@@ -50,7 +49,8 @@ PictureOptions picture_of(const SnapshotArguments& arguments) {
   picture.range = range_of(arguments.range, "--range");
   picture.tensions = range_of(arguments.tensions, "--membrane-range");
   if (const std::vector<double>& w = arguments.window; !w.empty()) {
-    if (!(w[0] < w[1] && w[2] < w[3])) refuse("--window", "numbers that are not in order", "X0,X1,Y0,Y1");
+    if (!(w[0] < w[1] && w[2] < w[3]))
+      snapshot_errors.refuse("--window", "numbers that are not in order", "X0,X1,Y0,Y1");
     picture.window = Window{{w[0], w[2]}, {w[1], w[3]}};
   }
   return picture;

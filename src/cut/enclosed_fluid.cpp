@@ -31,7 +31,7 @@ void for_each_enclosed(State& state, Grid& grid, F&& f) {
 }
 
 /// A cell stands by itself if this share of it lies inside and is filled.
-constexpr double least_inside = 0.5, least_filled = 0.3;
+constexpr double least_inside = 0.5, least_content = 0.3;
 
 /// Of the plane or of space.
 template <int Dim>
@@ -72,7 +72,7 @@ void choose_hosts(double cell_volume, EnclosedCells& cells) {
   static const auto nearby = offsets_by_distance<Dim>();  // a thin tube has no host any nearer
   const auto& box = box_of<Dim>(cells);
   const auto stands = [&](int c) {
-    return inside_of(box)[c] >= least_inside && cells.volume[c] >= least_filled * cell_volume;
+    return inside_of(box)[c] >= least_inside && cells.volume[c] >= least_content * cell_volume;
   };
   const int n = static_cast<int>(box.size());
   cells.host.resize(box.size());

@@ -12,7 +12,7 @@ namespace geodrop {
 namespace {
 
 constexpr double kilo = 1e3, gravity = 9.81;
-constexpr int digits = 4;
+constexpr int unit_digits = 4;
 
 /// A number between these ends is doubtful: what it probably is in.
 struct Suspect {
@@ -22,8 +22,8 @@ struct Suspect {
 };
 
 std::string sentence(const std::string& key, double value, const std::string& unit, const Suspect& suspect) {
-  return key + " = " + format_number(value, digits) + " " + unit + " is unusual; in " + suspect.unit + " it would be " +
-         format_number(value * suspect.factor, digits) + " " + unit;
+  return key + " = " + format_number(value, unit_digits) + " " + unit + " is unusual; in " + suspect.unit +
+         " it would be " + format_number(value * suspect.factor, unit_digits) + " " + unit;
 }
 
 /// The first of the suspects that the value lies in; empty if none.
@@ -45,7 +45,7 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
     found.push_back(look(at + "youngs_modulus", E, "Pa", {{0, 5e3, "MPa", 1e6}, {5e3, 1e5, "kPa", kilo}}));
     constexpr double stiffest_soil = 2e9;
     if (E > stiffest_soil)
-      found.push_back(at + "youngs_modulus = " + format_number(E, digits) +
+      found.push_back(at + "youngs_modulus = " + format_number(E, unit_digits) +
                       " Pa is that of rock; soils have 0.5 MPa to 1 GPa");
   };
   if (const auto* soil = std::get_if<MohrCoulombSpec>(&material.model)) {
@@ -62,7 +62,7 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
     found.push_back(density(at + "density", fluid->density));
     constexpr double stiff_as_pitch = 1000;
     if (fluid->viscosity > stiff_as_pitch)
-      found.push_back(at + "viscosity = " + format_number(fluid->viscosity, digits) +
+      found.push_back(at + "viscosity = " + format_number(fluid->viscosity, unit_digits) +
                       " Pa s is out of all scale: water has 1e-3, slurries up to 10 Pa s");
   }
   return found;
@@ -76,8 +76,8 @@ std::vector<std::string> membrane_doubts(const MembraneSpec& membrane) {
       look(at + "mass_per_area", membrane.mass_per_area, "kg/m2", {{30, 1e5, "g/m2", 1 / kilo}})};
   constexpr double most_slack = 0.2;
   if (membrane.slack > most_slack || membrane.slack < -most_slack)
-    found.push_back(at + "slack = " + format_number(membrane.slack, digits) + " is " +
-                    format_number(100 * membrane.slack, digits) +
+    found.push_back(at + "slack = " + format_number(membrane.slack, unit_digits) + " is " +
+                    format_number(100 * membrane.slack, unit_digits) +
                     " % of the drawn length; a share is asked for, 0.05 for 5 %");
   return found;
 }
@@ -99,7 +99,7 @@ std::vector<std::string> doubtful_units(const Scene& scene) {
   for (const double g : scene.gravity) square += g * g;
   constexpr double far_more = 2;
   if (scene.gravity.back() > 0 || square > far_more * far_more * gravity * gravity)
-    found.push_back("gravity = " + format_number(scene.gravity.back(), digits) +
+    found.push_back("gravity = " + format_number(scene.gravity.back(), unit_digits) +
                     " m/s2 along the vertical; on earth it is -9.81");
   for (const MaterialSpec& material : scene.materials)
     for (std::string& each : material_doubts(material)) found.push_back(std::move(each));

@@ -105,16 +105,16 @@ std::size_t remove_files(const fs::path& directory, const Select& select) {
   return chosen.size();
 }
 
-[[noreturn]] void refuse(const fs::path& directory, const std::string& found, const std::string& allowed) {
+[[noreturn]] void refuse_output(const fs::path& directory, const std::string& found, const std::string& allowed) {
   throw SceneError(directory.string(), {{{}, "--output", found, allowed, ProblemSource::elsewhere}});
 }
 
 void check_replaceable(const fs::path& directory) {
   constexpr const char* allowed = "a new directory or one of an earlier run";
   if (!fs::exists(directory)) return;
-  if (!fs::is_directory(directory)) refuse(directory, "a file", allowed);
+  if (!fs::is_directory(directory)) refuse_output(directory, "a file", allowed);
   if (!fs::is_empty(directory) && !is_run_directory(directory))
-    refuse(directory, "a directory with other files in it", allowed);
+    refuse_output(directory, "a directory with other files in it", allowed);
 }
 
 void make_directory(const fs::path& directory) {
@@ -141,8 +141,8 @@ int next_number(const fs::path& directory) {
 std::string move_aside(const fs::path& directory, const fs::path& real) {
   const fs::path here = fs::current_path();
   if (std::mismatch(real.begin(), real.end(), here.begin(), here.end()).first == real.end())
-    refuse(directory, "an earlier run in the directory in which this command runs",
-           "--overwrite, or another directory");
+    refuse_output(directory, "an earlier run in the directory in which this command runs",
+                  "--overwrite, or another directory");
   std::error_code error;
   std::string aside = real.string() + "." + std::to_string(next_number(real));
   fs::rename(real, aside, error);

@@ -27,7 +27,7 @@ std::string holder(int file) {
   return said.substr(0, said.find('\n'));
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& directory, const std::string& who) {
+[[noreturn]] void refuse_second_run(const std::filesystem::path& directory, const std::string& who) {
   throw SceneError(directory.string(),
                    {{{},
                      "--output",
@@ -74,7 +74,7 @@ bool RunLock::try_to_take(const std::filesystem::path& directory) {
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     const std::string who = holder(file_);
     close_both();
-    refuse(directory, who);
+    refuse_second_run(directory, who);
   }
   struct stat locked {
   }, named{}, opened{}, at_path{};

@@ -1,20 +1,20 @@
 #include "run_report.hpp"
 
 #include <geodrop/reader/scene_reader.hpp>
-#include <geodrop/version.hpp>
 
 #include <thread>
 #include <vector>
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "build_identity.hpp"
 #include "run_lock.hpp"
 
 namespace geodrop {
 
 std::string describe_run(const Scene& scene, const RunOptions& options) {
-  return std::string("geodrop ") + GEODROP_VERSION + " on " + host_name() + ", " + std::to_string(options.threads) +
-         " of " + std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
+  return "geodrop " + this_build().version + " on " + host_name() + ", " + std::to_string(options.threads) + " of " +
+         std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
 }
 
 std::string facts_text(const std::vector<Fact>& facts) {

@@ -1,11 +1,11 @@
 #include "summary.hpp"
 
 #include <geodrop/reader/scene_reader.hpp>
-#include <geodrop/version.hpp>
 
 #include "base/json.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "build_identity.hpp"
 
 #include <sys/resource.h>
 
@@ -99,7 +99,7 @@ std::string summary_json(const Scene& scene, const RunIdentity& run, const RunSt
                       {"ended", json_text(run.ended)},
                       {"host", json_text(run.host)},
                       {"command", json_text(run.command)},
-                      {"version", json_text(GEODROP_VERSION)},
+                      {"version", json_text(this_build().version)},
                       {"scene", json_text(scene.file)},
                       {"title", json_text(scene.title)},
                       {"threads", std::to_string(run.threads)},

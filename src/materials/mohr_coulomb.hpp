@@ -43,7 +43,7 @@ template <class S, class R>
   const R high = trial.centre + trial.radius, low = trial.centre - trial.radius, z = trial.axis;
   const Principal<R> sorted{max(high, z), max(low, min(high, z)), min(low, z)};
   const auto outside = violates(surface, sorted);
-  if (!any(outside)) return false;
+  if (!any_lane(outside)) return false;
 
   const Principal<R> back = return_to_yield(surface, sorted, outside);
   const Principal<R> d{back.first - sorted.first, back.second - sorted.second, back.third - sorted.third};
@@ -77,7 +77,7 @@ template <class S, class R>
   const R mean = third * (stress[0] + stress[1] + stress[2]);
   const Stress<3, R> s{stress[0] - mean, stress[1] - mean, stress[2] - mean, stress[3], stress[4], stress[5]};
   const R p2 = squared_scale(s);
-  if (!any(leaves_cone(surface, mean, p2))) return;
+  if (!any_lane(leaves_cone(surface, mean, p2))) return;
   const EigenAxis<R> axis = separated_axis(s, p2);
   // s = (3 l n n^T - l I) / 2 + a rest in the plane across n
   const R half = 0.5 * axis.eigenvalue;

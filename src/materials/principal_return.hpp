@@ -178,10 +178,10 @@ template <class S, class R, class Mask>
   const auto below = plane.second < plane.third;
   const auto above = plane.second > plane.first;
   Principal<R> best = plane;
-  if (any((below | above) & outside)) best = return_to_edges(y, trial, f13, plane);
+  if (any_lane((below | above) & outside)) best = return_to_edges(y, trial, f13, plane);
   best = select(outside, best, trial);
   const auto open = (best.first > y.cutoff) | (best.second > best.first) | (outside & (f13 <= 0.0));
-  if (any(open)) best = select(open, return_to_cutoff(y, trial), best);
+  if (any_lane(open)) best = select(open, return_to_cutoff(y, trial), best);
   return best;
 }
 

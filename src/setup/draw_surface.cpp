@@ -10,13 +10,12 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/corner.hpp"
 #include "geometry/surface_file.hpp"
 #include "geometry/surface_generators.hpp"
 
 namespace geodrop {
 namespace {
-
-Corner to_corner(const Point& x) { return {x[0], x[1], x[2]}; }
 
 /// The box around a surface before it is drawn, and its area: a radius of 1e9 m would be drawn for ever.
 struct Extent {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/corner.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -37,8 +39,6 @@ bool is_beyond(const EllipseShape& ellipse, const Bounds& site) {
   for (std::size_t a = 0; a < nearest.size(); ++a) nearest[a] = std::clamp(nearest[a], site.lower[a], site.upper[a]);
   return !contains(ellipse, nearest);
 }
-
-Corner to_corner(const Point& x) { return {x[0], x[1], x[2]}; }
 
 /// A surface that does not cut a site leaves it inside or outside as a whole.
 Cover cover_by(const InsideShape& inside, const Bounds& site) {

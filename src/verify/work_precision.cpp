@@ -30,9 +30,9 @@ ChartPanel panel(const std::vector<const VerifyRow*>& rows, const std::string& t
   return panel;
 }
 
-using Rows = std::vector<const VerifyRow*>;
+using RowPointers = std::vector<const VerifyRow*>;
 
-Chart chart_of(const Rows& rows, const std::string& title) {
+Chart chart_of(const RowPointers& rows, const std::string& title) {
   constexpr double megabyte = 1e6;
   return {title,
           {panel(rows, "Wall time", "wall time [s]", [](const VariantRun& run) { return run.wall_seconds; }),
@@ -46,7 +46,7 @@ Chart chart_of(const Rows& rows, const std::string& title) {
 }  // namespace
 
 std::vector<WorkPicture> work_precision_pictures(const std::vector<VerifyRow>& rows) {
-  std::map<std::string, Rows> of_scene;
+  std::map<std::string, RowPointers> of_scene;
   std::set<std::string> fine;
   for (const VerifyRow& row : rows) {
     const std::size_t spacings = spacings_of(row);
@@ -54,7 +54,7 @@ std::vector<WorkPicture> work_precision_pictures(const std::vector<VerifyRow>& r
     if (spacings >= 4) fine.insert(row.scene);
   }
   std::vector<WorkPicture> pictures;
-  Rows others;
+  RowPointers others;
   for (const auto& [scene, drawn] : of_scene) {
     if (fine.contains(scene))
       pictures.push_back({"work_precision_" + scene, chart_of(drawn, scene + ": error against work")});

@@ -98,8 +98,8 @@ TEST_CASE("A mask is true somewhere if one lane is, whichever") {
   for (int lane = 0; lane < packet_width; ++lane) {
     Lanes values{};
     values[lane] = 1;
-    CHECK(any(pack(values) > 0.5));
-    CHECK_FALSE(any(pack(values) > 1.5));
+    CHECK(any_lane(pack(values) > 0.5));
+    CHECK_FALSE(any_lane(pack(values) > 1.5));
   }
 }
 

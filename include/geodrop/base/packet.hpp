@@ -79,8 +79,8 @@ template <class R>
 }
 
 /// True if the mask is true in at least one lane.
-[[gnu::always_inline]] inline bool any(bool mask) { return mask; }
-[[gnu::always_inline]] inline bool any(PacketMask mask) {
+[[gnu::always_inline]] inline bool any_lane(bool mask) { return mask; }
+[[gnu::always_inline]] inline bool any_lane(PacketMask mask) {
   const PacketMask::Half either = mask.low | mask.high;
   return (either[0] | either[1] | either[2] | either[3]) != 0;
 }

@@ -24,12 +24,6 @@ std::vector<Point> nodes_of(const Scene& scene, const MembraneSpec& membrane) {
   return nodes;
 }
 
-double distance(const Point& a, const Point& b) {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-  return std::sqrt(sum);
-}
-
 /// The nearest node; whether it can be held.
 bool check_node(const Scene& scene, const AnchorSpec& anchor, const std::string& key, std::size_t& nearest,
                 Report& report) {

@@ -16,12 +16,6 @@ double cross(const Point& o, const Point& a, const Point& b) {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-double distance(const Point& a, const Point& b) {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-  return std::sqrt(sum);
-}
-
 bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
   return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
 }
@@ -226,6 +220,12 @@ class PlacementCheck {
 };
 
 }  // namespace
+
+double distance(const Point& a, const Point& b) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+  return std::sqrt(sum);
+}
 
 bool crosses_itself(const std::vector<Point>& points, Ends ends) {
   const std::size_t n = points.size(), legs = ends == Ends::closed ? n : n - 1;

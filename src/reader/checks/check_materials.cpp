@@ -9,7 +9,7 @@ namespace {
 
 /// Skempton's B = s / (s + 1) of 0.95; a softer pore fluid would not be undrained any more, unless it has gas in it.
 constexpr double kLeastPoreStiffness = 20;  // of the skeleton's bulk modulus
-constexpr double kRounding = 1e-9;
+constexpr double kRoundOff = 1e-9;
 
 double cot_deg(double angle_deg) { return 1 / std::tan(angle_deg * std::numbers::pi / 180); }
 
@@ -54,7 +54,7 @@ void check_plasticity(const MohrCoulombSpec& soil, const std::string& key, Repor
                       report.healthy(key + ".friction_angle_deg");
   if (!cutoff || soil.friction_angle_deg <= 0) return;
   const double apex = soil.cohesion * cot_deg(soil.friction_angle_deg);
-  if (soil.tension_cutoff > apex * (1 + kRounding)) {
+  if (soil.tension_cutoff > apex * (1 + kRoundOff)) {
     report.add(key + ".tension_cutoff", to_text(soil.tension_cutoff),
                "at most cohesion cot(friction angle) = " + to_text(apex) + " [Pa]");
   }
@@ -94,7 +94,7 @@ void check_pore_fluid(const MohrCoulombSpec& soil, const std::string& key, Repor
   }
   const double skeleton = soil.youngs_modulus / (3 * (1 - 2 * soil.poissons_ratio));
   const double least = kLeastPoreStiffness * skeleton * pores->porosity;
-  if (pores->fluid_bulk_modulus >= least * (1 - kRounding)) return;
+  if (pores->fluid_bulk_modulus >= least * (1 - kRoundOff)) return;
   const double stiffness = pores->fluid_bulk_modulus / pores->porosity;
   report.add(
       key + ".fluid_bulk_modulus",

@@ -44,6 +44,8 @@ inline constexpr const char* kWholeOwners[] = {"energy", "total", "relaxation"};
 /// between them has no direction.
 void check_legs(const std::vector<Point>& points, Ends outline, const std::string& key, Report& report);
 
+double distance(const Point& a, const Point& b);
+
 bool crosses_itself(const std::vector<Point>& points, Ends ends);
 
 /// Report a box or a polygon without area, one that crosses itself, points that stand twice.

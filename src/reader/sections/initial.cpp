@@ -2,11 +2,6 @@
 #include "sections.hpp"
 
 namespace geodrop {
-namespace {
-
-constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
-
-}  // namespace
 
 // clang-format off
 SectionOf<InitialVelocity> initial_velocity_section() {
