@@ -75,17 +75,21 @@ def read(directory):
 def read_vtk(path):
     """All arrays of a VTU or VTP file by name; positions are called "points"."""
     root = ElementTree.parse(path).getroot()
-    compressed = root.get("compressor") is not None
-    head = "<u8" if root.get("header_type") == "UInt64" else "<u4"
     arrays = {}
     for element in root.iter("DataArray"):
-        if element.get("format") != "binary":
-            continue
-        values = numpy.frombuffer(decode(element.text.strip(), head, compressed), TYPES[element.get("type")])
-        width = int(element.get("NumberOfComponents") or 1)
-        name = element.get("Name")
-        arrays["points" if name == "Points" else name] = values.reshape(-1, width) if width > 1 else values
+        if element.get("format") == "binary":
+            name = element.get("Name")
+            arrays["points" if name == "Points" else name] = array_of(element, root)
     return arrays
+
+
+def array_of(element, root):
+    """The values of a DataArray of a VTU or VTP file, a row each where it has several components."""
+    head = "<u8" if root.get("header_type") == "UInt64" else "<u4"
+    raw = decode(element.text.strip(), head, root.get("compressor") is not None)
+    values = numpy.frombuffer(raw, TYPES[element.get("type")])
+    width = int(element.get("NumberOfComponents") or 1)
+    return values.reshape(-1, width) if width > 1 else values
 
 
 def letters(size):
