@@ -17,6 +17,41 @@
 namespace geodrop {
 namespace {
 
+std::vector<NodeVector<2>> normals_of(const Grid<2>& grid, const Contact<2>& contact) {
+  return normals_over(grid.layout, *contact.membrane, grid.outline, contact.stretch);
+}
+std::vector<NodeVector<3>> normals_of(const Grid<3>& grid, const Contact<3>& contact) {
+  return normals_over(grid.layout, grid.outline, contact.stretch);
+}
+
+/// What a contact says, as rows can take it. That along the membrane is the normal one, turned.
+template <int Dim>
+struct RowsOfContact {
+  RawRow<Dim> normal, through;
+};
+
+template <int Dim>
+RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, const Contact<Dim>& contact) {
+  const int field = contact.membrane->field;
+  const Grid<Dim>& grid = grids[field];
+  std::vector<NodeVector<Dim>> vectors = normals_of(grid, contact);
+  RowsOfContact<Dim> rows{make_row(grids, field, 0, vectors), {}};
+  if (contact.membrane->pore_pressure.empty()) return rows;
+  for (NodeVector<Dim>& vector : vectors)
+    for (double& value : vector.value) value *= grids[grid.pore_water].pore_share[vector.node];
+  rows.through = make_row(grids, grid.pore_water, field, vectors);
+  return rows;
+}
+
+template <int Dim>
+std::vector<RowsOfContact<Dim>> rows_of(const Grids<Dim>& grids, const std::vector<Contact<Dim>>& contacts) {
+  std::vector<RowsOfContact<Dim>> rows(contacts.size());
+  const auto count = static_cast<std::ptrdiff_t>(contacts.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::ptrdiff_t c = 0; c < count; ++c) rows[c] = rows_of(grids, contacts[c]);
+  return rows;
+}
+
 /// Rows for some of the contacts.
 template <int Dim>
 class ContactRows {
@@ -26,23 +61,9 @@ class ContactRows {
     Says says;
   };
 
-  explicit ContactRows(const Grids<Dim>& grids) : grids_(grids), rows_(grids) {}
-
-  /// What a contact says, as rows can take it.
-  static RawRow<Dim> row_of(const Grids<Dim>& grids, const Contact<Dim>& contact, Says says) {
-    const int field = contact.membrane->field;
-    const Grid<Dim>& grid = grids[field];
-    std::vector<NodeVector<Dim>> vectors = integrals(grid, contact, says);
-    if (says != Says::through) return make_row(grids, field, 0, vectors);
-    for (NodeVector<Dim>& vector : vectors)
-      for (double& value : vector.value) value *= grids[grid.pore_water].pore_share[vector.node];
-    return make_row(grids, grid.pore_water, field, vectors);
-  }
+  explicit ContactRows(const Grids<Dim>& grids) : rows_(grids) {}
 
   /// False if one of the sides has no mass there.
-  bool add(const std::vector<Contact<Dim>>& contacts, std::size_t c, Says says) {
-    return add(row_of(grids_, contacts[c], says), c, says);
-  }
   bool add(const RawRow<Dim>& row, std::size_t c, Says says) {
     const bool complete = rows_.add(row);
     if (complete) list_.push_back({c, says});
@@ -53,16 +74,6 @@ class ContactRows {
   const std::vector<Row>& list() const { return list_; }
 
  private:
-  static std::vector<NodeVector<2>> integrals(const Grid<2>& grid, const Contact<2>& contact, Says says) {
-    const Direction direction = says == Says::tangent ? Direction::tangent : Direction::normal;
-    return integrals_over(grid.layout, *contact.membrane, grid.outline, contact.stretch, direction);
-  }
-  /// In space the fluid around slips freely: all rows are normal.
-  static std::vector<NodeVector<3>> integrals(const Grid<3>& grid, const Contact<3>& contact, Says) {
-    return integrals_over(grid.layout, grid.outline, contact.stretch);
-  }
-
-  const Grids<Dim>& grids_;
   Rows<Dim> rows_;
   std::vector<Row> list_;
 };
@@ -193,17 +204,15 @@ void check_tractions(State<Dim>& state) {
 
 /// One normal velocity, and one velocity where the fluid sticks; false if they were not found.
 template <int Dim>
-bool join(double dt, std::vector<Contact<Dim>>& contacts, Grids<Dim>& grids) {
+bool join(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Contact<Dim>>& contacts,
+          Grids<Dim>& grids) {
   ContactRows<Dim> rows(grids);
-  std::vector<RawRow<Dim>> normal(contacts.size());
-  const auto count = static_cast<std::ptrdiff_t>(contacts.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::ptrdiff_t c = 0; c < count; ++c) normal[c] = ContactRows<Dim>::row_of(grids, contacts[c], Says::normal);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    contacts[c].joined = rows.add(normal[c], c, Says::normal);
+    contacts[c].joined = rows.add(said[c].normal, c, Says::normal);
     if (!contacts[c].joined) continue;
-    if (!contacts[c].membrane->pore_pressure.empty()) rows.add(contacts, c, Says::through);
-    if (contacts[c].sticks()) rows.add(contacts, c, Says::tangent);
+    if (!contacts[c].membrane->pore_pressure.empty()) rows.add(said[c].through, c, Says::through);
+    if constexpr (Dim == 2)
+      if (contacts[c].sticks()) rows.add(along(said[c].normal), c, Says::tangent);
   }
   Eigen::VectorXd guess(rows.list().size());
   for (std::size_t r = 0; r < rows.list().size(); ++r) {
@@ -247,10 +256,11 @@ Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_r
 
 /// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
 /// bed, what the soil inside takes where water would stick, or what the wall law says in fluid.
-void rub(double dt, std::vector<Contact<2>>& contacts, Grids<2>& grids, const std::vector<double>& last) {
+void rub(double dt, const std::vector<RowsOfContact<2>>& said, std::vector<Contact<2>>& contacts, Grids<2>& grids,
+         const std::vector<double>& last) {
   ContactRows<2> rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].joined && contacts[c].rubs()) rows.add(contacts, c, Says::tangent);
+    if (contacts[c].joined && contacts[c].rubs()) rows.add(along(said[c].normal), c, Says::tangent);
   if (rows.list().empty()) return;
   SparseRows T;
   const auto [S, slip_rate] = system_of(rows, T, dt);
@@ -288,8 +298,9 @@ void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
   if constexpr (Dim == 2)
     for (const Contact<2>& contact : contacts)
       last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Says::tangent));
-  count_solution(join(dt, contacts, grids), state.t, state.constraint_watch);
-  if constexpr (Dim == 2) rub(dt, contacts, grids, last);
+  const std::vector<RowsOfContact<Dim>> said = rows_of(grids, contacts);
+  count_solution(join(dt, said, contacts, grids), state.t, state.constraint_watch);
+  if constexpr (Dim == 2) rub(dt, said, contacts, grids, last);
   check_tractions(state);
   for (Grid<Dim>& grid : grids) impose_wall_velocity(grid);
 }

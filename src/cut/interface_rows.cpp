@@ -68,22 +68,21 @@ std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>&, co
   return stretches;
 }
 
-std::vector<NodeVector<2>> integrals_over(const GridLayout<2>& layout, const Membrane<2>& membrane,
-                                          const CutCells& cells, const Stretch& stretch, Direction direction) {
+std::vector<NodeVector<2>> normals_over(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                                        const Stretch& stretch) {
   std::vector<NodeVector<2>> out;
   for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
     const PieceIntegral integral = integrate_piece(layout, membrane, cells, piece);
     const auto [nx, ny] = integral.normal;
-    const std::array<double, 2> along = direction == Direction::normal ? integral.normal : std::array{-ny, nx};
     const int flat = flat_of(layout, cells, piece.cell);
     for (int n = 0; n < 9; ++n)
-      out.push_back({node_around(layout, flat, n), {integral.mean[n] * along[0], integral.mean[n] * along[1]}});
+      out.push_back({node_around(layout, flat, n), {integral.mean[n] * nx, integral.mean[n] * ny}});
   });
   return out;
 }
 
-std::vector<NodeVector<3>> integrals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
-                                          const Stretch& stretch) {
+std::vector<NodeVector<3>> normals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
+                                        const Stretch& stretch) {
   const double h2 = layout.h * layout.h;
   std::vector<NodeVector<3>> out;
   for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
@@ -228,6 +227,11 @@ RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::v
   row.entries = one.entries();
   row.entries.insert(row.entries.end(), rest.entries().begin(), rest.entries().end());
   return row;
+}
+
+RawRow<2> along(RawRow<2> normal) {
+  for (auto& entry : normal.entries) entry.value = {-entry.value[1], entry.value[0]};
+  return normal;
 }
 
 template <int Dim>

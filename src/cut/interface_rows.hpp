@@ -58,14 +58,12 @@ void for_each_share(const ClippedSurface& cells, const Stretch& stretch, F&& f) 
 /// Length of a piece [m].
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece);
 
-enum class Direction { normal, tangent };
-
-/// int N n dl over a stretch, or along it int N t dl, t the outward normal turned anticlockwise.
-std::vector<NodeVector<2>> integrals_over(const GridLayout<2>& layout, const Membrane<2>& membrane,
-                                          const CutCells& cells, const Stretch& stretch, Direction direction);
+/// int N n dl over a stretch, n the outward normal.
+std::vector<NodeVector<2>> normals_over(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                                        const Stretch& stretch);
 /// int N n dA over a stretch.
-std::vector<NodeVector<3>> integrals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
-                                          const Stretch& stretch);
+std::vector<NodeVector<3>> normals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
+                                        const Stretch& stretch);
 
 /// The nodes that the rows of E reach, of all fields: as many columns each as there are axes.
 template <int Dim>
@@ -104,6 +102,9 @@ struct RawRow {
 /// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it.
 template <int Dim>
 RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors);
+
+/// The row along an outline from the one normal to it: all vectors a quarter turn anticlockwise.
+RawRow<2> along(RawRow<2> normal);
 
 /// Builds E M^-1/2 row by row; all rows reach nodes of two fields.
 template <int Dim>
