@@ -8,8 +8,9 @@
 namespace geodrop {
 namespace {
 
-/// How far a gap may be closed: particles of a sheared flow stand in rows, three spacings apart, yet there is no void.
-constexpr double reach = 2.2;  // radii
+/// How far a gap may be closed: particles of a sheared flow stand in rows, and leave a cell without any now and then,
+/// yet there is no void that the grid knows of.
+constexpr double reach = 2.8;  // radii: a cell, of two particles along each axis
 
 /// What of the discs is nearest to a pixel.
 struct Nearest {
