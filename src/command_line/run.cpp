@@ -46,7 +46,8 @@ void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& 
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
   add_scene(command, arguments.scene, arguments.overrides);
-  add_threads(command, arguments.threads);
+  add_most_threads(command, arguments.threads);
+  command.add_flag(exact_threads, arguments.exact_threads, "as many threads in each step, also where fewer are faster");
   command.add_option("--output", arguments.output, "run directory (default: runs/<scene>)");
   command.add_option("--until", arguments.until, "stop at this simulated time [s], with a checkpoint")
       ->check(positive_time());
@@ -67,6 +68,7 @@ int start_run(const RunArguments& arguments, const std::vector<std::string>& com
   RunOptions options;
   options.directory = arguments.output;
   options.threads = choose_threads(arguments.threads);
+  options.fewer_threads = !arguments.exact_threads;
   options.resume = arguments.resume;
   options.end = arguments.until;
   options.earlier = arguments.overwrite ? EarlierRun::overwrite : EarlierRun::move_aside;

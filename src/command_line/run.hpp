@@ -13,6 +13,7 @@ struct RunArguments {
   std::vector<std::string> overrides;
   std::string output;
   int threads = 0;
+  bool exact_threads = false;
   double until = 0;
   bool resume = false;
   bool overwrite = false;

@@ -4,6 +4,8 @@
 #include <geodrop/step/pipeline.hpp>
 #include <geodrop/step/run.hpp>
 
+#include <omp.h>
+
 #include <algorithm>
 #include <chrono>
 #include <new>
@@ -15,6 +17,7 @@
 #include "membrane/tension_gauge.hpp"
 #include "parts.hpp"
 #include "setup/memory_estimate.hpp"
+#include "thread_choice.hpp"
 
 namespace geodrop {
 namespace {
@@ -28,18 +31,29 @@ void write_due_output(Output<Dim>& output, State<Dim>& state) {
   if (output.frame_due(state.t)) output.write_frame(Frame<Dim>(state));
 }
 
+template <int Dim>
+void advance_with(ThreadChoice& choice, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids) {
+  omp_set_num_threads(choice.threads());
+  const auto start = std::chrono::steady_clock::now();
+  advance(pipeline, state, grids);
+  choice.took(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
 /// Steps until `end`, a signal, or a file that the disk does not take. On a broken run the status says failed; the
 /// state is as the break left it.
 template <int Dim>
 RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline, State<Dim>& state, Grids<Dim>& grids,
-                         Output<Dim>& output) {
+                         ThreadChoice* choice, Output<Dim>& output) {
   RunStatistics statistics;
   const std::uint64_t first_step = state.step;
   const auto start = std::chrono::steady_clock::now();
   try {
     statistics.facts = state_facts(scene, state);
     while (state.t < end && !is_over(scene, state) && !stop_requested() && !output.blocked()) {
-      advance(pipeline, state, grids);
+      if (choice)
+        advance_with(*choice, pipeline, state, grids);
+      else
+        advance(pipeline, state, grids);
       write_due_output(output, state);
       if (take_checkpoint_request() || output.checkpoint_due(state.t)) output.checkpoint(Frame<Dim>(state));
       output.progress(state.t, state.step);
@@ -83,7 +97,13 @@ RunOutcome run_in(const Scene& scene, const RunOptions& options) {
 
   const double end = options.end > 0 ? std::min(options.end, scene.time.end) : scene.time.end;
   RunOutcome outcome;
-  outcome.statistics = step_until(end, scene, pipeline, state, grids, output);
+  ThreadChoice choice(options.threads);
+  outcome.statistics =
+      step_until(end, scene, pipeline, state, grids, options.fewer_threads ? &choice : nullptr, output);
+  if (options.fewer_threads) {
+    omp_set_num_threads(options.threads);
+    output.log(choice.text());
+  }
   // A broken state is of no use: the checkpoint before it stays.
   if (outcome.statistics.status != RunStatus::failed) output.checkpoint(Frame<Dim>(state));
   outcome.summary = output.finish(Frame<Dim>(state), outcome.statistics);

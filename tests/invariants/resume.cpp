@@ -32,10 +32,10 @@ const Left& uninterrupted() {
 /// Stopped by --until and resumed on other threads: the hash and the history of an uninterrupted run on one.
 void check_resumed(const std::string& file, const std::vector<std::string>& changes, const std::string& until) {
   const Left whole(SceneRun(file, changes, {"--threads", "1"}));
-  SceneRun run(file, changes, {"--threads", "2", "--until", until});
+  SceneRun run(file, changes, {"--exact-threads", "--threads", "2", "--until", until});
   CHECK(run.outcome().code == 75);
   CHECK(run.hash() != whole.hash);
-  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
+  CHECK(run.again({"--exact-threads", "--threads", "3", "--resume"}).code == 0);
   CHECK(run.hash() == whole.hash);
   CHECK(geodrop::read_file(run.file("history.csv")) == whole.history);
 }
@@ -43,12 +43,12 @@ void check_resumed(const std::string& file, const std::vector<std::string>& chan
 }  // namespace
 
 TEST_CASE("Stopped by --until and resumed, also on other threads: the same hash and history") {
-  SceneRun run(scene, settings, {"--threads", "2", "--until", "0.043"});
+  SceneRun run(scene, settings, {"--exact-threads", "--threads", "2", "--until", "0.043"});
   CHECK(run.outcome().code == 75);
   CHECK(run.text("status") == "stopped");
   CHECK(std::filesystem::exists(run.file("checkpoint.bin")));
   CHECK(run.hash() != uninterrupted().hash);
-  CHECK(run.again({"--threads", "3", "--resume"}).code == 0);
+  CHECK(run.again({"--exact-threads", "--threads", "3", "--resume"}).code == 0);
   CHECK(run.text("status") == "done");
   CHECK(run.hash() == uninterrupted().hash);
   CHECK(geodrop::read_file(run.file("history.csv")) == uninterrupted().history);
@@ -133,7 +133,7 @@ TEST_CASE("Ctrl-C: code 75, a checkpoint, how to resume; then the same hash as w
   const std::vector<std::string> longer{"grid.spacing=0.5", "time.end=3"};
   SceneRun run(scene, longer, {"--until", "0.001"});  // makes the directory
   std::filesystem::remove_all(run.file(""));
-  const Program program(run.arguments({"--threads", "2"}));
+  const Program program(run.arguments({"--exact-threads", "--threads", "2"}));
   for (int k = 0; k < 1000 && !std::filesystem::exists(run.file("particles_000001.vtu")); ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   program.signal(SIGINT);

@@ -15,7 +15,7 @@ void check_threads(const std::string& scene, const std::vector<std::string>& set
   REQUIRE(hash.size() == 16);
   for (const std::string threads : {"2", "3", "5"}) {
     CAPTURE(threads);
-    CHECK(run.again({"--threads", threads}).code == 0);
+    CHECK(run.again({"--exact-threads", "--threads", threads}).code == 0);
     CHECK(run.summary().find("\"threads\": " + threads) != std::string::npos);
     CHECK(run.hash() == hash);
     CHECK(geodrop::read_file(run.file("history.csv")) == history);

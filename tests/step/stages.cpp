@@ -42,6 +42,14 @@ TEST_CASE("A sharp interface adds its stages") {
               "grid_to_membranes", "keep_sides"});
 }
 
+TEST_CASE("Drag of a membrane is a stage where its coefficient is not 0") {
+  const std::string scene = "cases/ellipse_release.toml";
+  const Names without = stages(scene), with = stages(scene, {"membranes.0.drag_coefficient=1.0"});
+  CHECK(std::count(without.begin(), without.end(), "model_drag") == 0);
+  CHECK(std::count(with.begin(), with.end(), "model_drag") == 1);
+  CHECK(with.size() == without.size() + 2);  // with the loads that it begins from
+}
+
 TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
   CHECK(stages("cases/dump_kekerdom_mixture.toml") ==
         Names{"sort_particles", "clear_grid", "cell_pressure", "particles_to_grid", "membranes_to_grid", "fold_walls",

@@ -51,6 +51,7 @@ struct StepWindow {
 struct RunOptions {
   std::filesystem::path directory;  ///< empty: `runs/NAME`, NAME that of the scene file
   int threads = 1;
+  bool fewer_threads = false;  ///< takes fewer where they are faster
   bool resume = false;
   double end = 0;  ///< simulated time at which the run ends, for the progress line [s]; 0: the scene's
   EarlierRun earlier = EarlierRun::move_aside;
