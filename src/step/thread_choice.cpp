@@ -26,6 +26,7 @@ ThreadChoice::ThreadChoice(int most) {
   level_ = counts_.size() - 1;
   steps_.assign(counts_.size(), 0);
   pause_.fill(first_pause);
+  next_.fill(first_pause);  // the first frame is on its way to the disk
 }
 
 void ThreadChoice::took(double seconds) {
@@ -75,8 +76,8 @@ void ThreadChoice::end_trial(bool adopt) {
     settled_ = median(last_);
   }
   next_[direction_] = clock_ + pause_[direction_];
-  // The way back from what was adopted is known to be slower.
-  if (adopt) next_[direction_ == fewer ? more : fewer] = clock_ + longest_pause / 2;
+  // The way back from what was adopted was slower; a frame on its way to the disk may have been the reason.
+  if (adopt) next_[direction_ == fewer ? more : fewer] = clock_ + 2 * first_pause;
 }
 
 std::string ThreadChoice::text() const {
