@@ -1,5 +1,11 @@
 #include "frame_writer.hpp"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -31,6 +37,14 @@ std::size_t bytes_on_disk(const Snapshot& of) {
                             bytes_of(of.membranes.fields) + bytes_of(of.membranes.membrane) +
                             bytes_of(of.rigid.points) + bytes_of(of.rigid.fields) + bytes_of(of.rigid.rigid);
   return 4 * bytes / 3 + rest;  // four letters for three bytes
+}
+
+/// Of this thread, after the threads that compute: each of these waits for the others at every loop.
+void work_behind_others() {
+#ifdef __linux__
+  constexpr int niceness = 10;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), niceness);
+#endif
 }
 
 }  // namespace
@@ -80,6 +94,7 @@ std::size_t FrameWriter::try_again() {
 }
 
 void FrameWriter::run() {
+  work_behind_others();
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [&] { return (!queue_.empty() && !paused_) || closing_; });

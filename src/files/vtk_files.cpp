@@ -158,6 +158,7 @@ std::string try_to_write(vtkXMLWriter* writer, vtkDataObject* data, const std::s
     writer->SetCompressorTypeToNone();
   else
     writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // 5, VTK's own, gives files that are 4 % smaller
   writer->Write();
   const unsigned long code = writer->GetErrorCode();
   return code != vtkErrorCode::NoError || !reported.empty() ? describe(code, reported) : std::string();
