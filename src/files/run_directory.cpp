@@ -38,7 +38,8 @@ constexpr std::array run_files = {"run.log",
                                   "columns.png",
                                   "report.html",
                                   "report.pdf",
-                                  "animation.gif"};
+                                  "animation.gif",
+                                  "frames.vtkhdf"};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> frame_kinds = {
     {{"particles", "vtu"}, {"membranes", "vtp"}, {"rigid", "vtp"}}};
