@@ -35,7 +35,6 @@ inline constexpr Range not_negative{">= 0", [](double x) { return x >= 0; }};
 inline constexpr Range not_zero{"not 0", [](double x) { return x != 0; }};
 inline constexpr Range fraction{"> 0 and < 1", [](double x) { return x > 0 && x < 1; }};
 inline constexpr Range share{">= 0 and <= 1", [](double x) { return x >= 0 && x <= 1; }};
-inline constexpr Range below_right_angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
 inline constexpr Range filled{"not empty", [](double length) { return length > 0; }};
 inline constexpr Range free_text{"any text", [](double) { return true; }};
 inline constexpr Range identifier{kIdentifierText, nullptr};

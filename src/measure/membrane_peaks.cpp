@@ -7,8 +7,6 @@
 namespace geodrop {
 namespace {
 
-using PeakRow = std::vector<double>;
-
 /// Place of the largest tension of the row: "(1.5, 2)".
 std::string place(const Scene& scene, const HistoryTable& history, const std::string& membrane) {
   constexpr const char* axes[] = {"x", "y", "z"};
@@ -28,8 +26,10 @@ std::vector<std::string> strength_warnings(const Scene& scene, const HistoryTabl
   std::vector<std::string> warnings;
   for (const MembraneSpec& membrane : scene.membranes) {
     const std::size_t peak = history.find(membrane.name + ".tension_gauge_N_m");
-    const auto exceeds = [&](const PeakRow& row) { return membrane.strength > 0 && row[peak] > membrane.strength; };
-    const PeakRow& last = history.rows.back();
+    const auto exceeds = [&](const std::vector<double>& row) {
+      return membrane.strength > 0 && row[peak] > membrane.strength;
+    };
+    const std::vector<double>& last = history.rows.back();
     if (!exceeds(last) || std::any_of(history.rows.begin(), history.rows.end() - 1, exceeds)) continue;
     warnings.push_back("warning: membrane " + membrane.name + " exceeds its strength: tension " +
                        format_number(last[peak], digits) + " N/m, strength " +
@@ -46,8 +46,9 @@ std::vector<Fact> membrane_peaks(const Scene& scene, const HistoryTable& history
   for (const MembraneSpec& membrane : scene.membranes) {
     const std::string name = membrane.name + ".tension_gauge_N_m";
     const std::size_t peak = history.find(name);
-    const PeakRow& highest = *std::max_element(history.rows.begin(), history.rows.end(),
-                                               [&](const PeakRow& a, const PeakRow& b) { return a[peak] < b[peak]; });
+    const std::vector<double>& highest = *std::max_element(
+        history.rows.begin(), history.rows.end(),
+        [&](const std::vector<double>& a, const std::vector<double>& b) { return a[peak] < b[peak]; });
     facts.push_back({name, highest[peak]});
     facts.push_back(
         {membrane.name + ".time_of_peak_s", highest[history.find(membrane.name + ".tension_gauge_time_s")]});

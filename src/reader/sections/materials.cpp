@@ -7,6 +7,7 @@ namespace geodrop {
 namespace {
 
 constexpr Range poisson{"> -1 and < 0.5", [](double x) { return x > -1 && x < 0.5; }};
+constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
 constexpr Range suction_range{">= 0; inf: any tension", [](double x) { return x >= 0; }, true};
 
 /// What follows from the content of the pores: the density of the mixture, and the stiffness of what fills them.
@@ -47,8 +48,8 @@ SectionOf<MaterialSpec> materials_section() {
       key("youngs_modulus", Either(&LinearElasticSpec::youngs_modulus, &MohrCoulombSpec::youngs_modulus, &NeoHookeanSpec::youngs_modulus), "Pa", required, positive, "Young's modulus (of the skeleton; neo_hookean: at small strain)").only("model=linear_elastic|mohr_coulomb|neo_hookean"),
       key("poissons_ratio", Either(&LinearElasticSpec::poissons_ratio, &MohrCoulombSpec::poissons_ratio, &NeoHookeanSpec::poissons_ratio), "", required, poisson, "Poisson's ratio (of the skeleton)").only("model=linear_elastic|mohr_coulomb|neo_hookean"),
       key("cohesion", &MohrCoulombSpec::cohesion, "Pa", required, not_negative, "c").only("model=mohr_coulomb"),
-      key("friction_angle_deg", &MohrCoulombSpec::friction_angle_deg, "degree", required, below_right_angle, "phi; with critical_porosity that of the critical state").only("model=mohr_coulomb"),
-      key("dilatancy_angle_deg", &MohrCoulombSpec::dilatancy_angle_deg, "degree", instead_of("critical_porosity"), below_right_angle, "psi, at most phi").only("model=mohr_coulomb"),
+      key("friction_angle_deg", &MohrCoulombSpec::friction_angle_deg, "degree", required, angle, "phi; with critical_porosity that of the critical state").only("model=mohr_coulomb"),
+      key("dilatancy_angle_deg", &MohrCoulombSpec::dilatancy_angle_deg, "degree", instead_of("critical_porosity"), angle, "psi, at most phi").only("model=mohr_coulomb"),
       key("tension_cutoff", &MohrCoulombSpec::tension_cutoff, "Pa", required, not_negative, "largest principal effective stress, at most c cot(phi)").only("model=mohr_coulomb"),
       key("void_memory", &MohrCoulombSpec::void_memory, standard("false"), "the volume by which the soil opens at the apex or the tension cut-off is kept, and closes again without stress; to be used where soil is torn apart and falls together again (any bag that falls and lands), or it grows; with dilatancy_angle_deg = 0 only").only("model=mohr_coulomb"),
       key("drainage", &MohrCoulombSpec::pores, {{"drained", std::monostate{}}, {"undrained", UndrainedSpec{}}, {"coupled", CoupledSpec{}}}, required, "undrained: pore water moves with the skeleton; drained: there is none, so that under water the pressure of the water is part of the effective stress (`geodrop check` names such bodies and says by how much); coupled: pore water is a body of a fluid that flows through the skeleton (`saturated_by` of the body)").only("model=mohr_coulomb"),
