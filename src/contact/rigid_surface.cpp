@@ -1,7 +1,6 @@
 #include "rigid_surface.hpp"
 
 #include <Eigen/Geometry>
-#include <geodrop/base/find_named.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +9,10 @@
 #include <utility>
 
 #include "geometry/polygon.hpp"
+#include "rigid_motion.hpp"
 
 namespace geodrop {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 Vec<2> as_vector(const std::array<double, 2>& v) { return Vec<2>(v.data()); }
 Vec<2> as_vector(const Point& v) { return Vec<2>(v.data()); }
@@ -26,48 +24,6 @@ Vec<2> turned_left(const Vec<2>& v) { return {-v[1], v[0]}; }
 Vec<2> moved(const RigidBody<2>& body, const Vec<2>& x) {
   const Vec<2> centre = as_vector(body.centre);
   return centre + Eigen::Rotation2Dd(body.angle) * (x - centre) + as_vector(body.displacement);
-}
-
-/// Piecewise linear; the first or last value outside of the times.
-template <class Value>
-Value at_time(double t, const std::vector<double>& times, const std::vector<Value>& values, auto&& mix) {
-  const auto above = std::upper_bound(times.begin(), times.end(), t) - times.begin();
-  if (above == 0) return values.front();
-  if (above == static_cast<std::ptrdiff_t>(times.size())) return values.back();
-  const double share = (t - times[above - 1]) / (times[above] - times[above - 1]);
-  return mix(values[above - 1], values[above], share);
-}
-
-/// Sets angle and displacement from the time for which the body has moved.
-struct Pose {
-  RigidBody<2>& body;
-
-  void operator()(std::monostate) const {}
-  void operator()(const HingeMotionSpec& hinge) const {
-    const double most = hinge.stop_angle_deg * radians;
-    body.angle = std::clamp(hinge.rate * body.moved, -most, most);
-  }
-  void operator()(const TranslationMotionSpec& translation) const {
-    body.displacement = as_array(body.moved * as_vector(translation.velocity));
-  }
-  void operator()(const TableMotionSpec& table) const {
-    if (!table.angles_deg.empty())
-      body.angle = radians * at_time(body.moved, table.times, table.angles_deg,
-                                     [](double a, double b, double s) { return a + s * (b - a); });
-    else
-      body.displacement = as_array(
-          as_vector(at_time(body.moved, table.times, table.displacements, [](Point a, const Point& b, double s) {
-            for (std::size_t k = 0; k < a.size(); ++k) a[k] += s * (b[k] - a[k]);
-            return a;
-          })));
-  }
-};
-
-Point centre_of(const RigidMotion& motion) {
-  if (const auto* hinge = std::get_if<HingeMotionSpec>(&motion)) return hinge->centre;
-  if (const auto* table = std::get_if<TableMotionSpec>(&motion))
-    if (!table->angles_deg.empty()) return table->centre;
-  return {0, 0};
 }
 
 double distance_to_segment(const Vec<2>& x, const Vec<2>& from, const Vec<2>& to) {
@@ -90,24 +46,11 @@ std::pair<double, double> stretch_in_domain(const Vec<2>& point, const Vec<2>& d
   return first < last ? std::pair{first, last} : std::pair{0.0, 0.0};
 }
 
-/// Of a box or polygon clockwise.
 void set_corners(const RigidShape& shape, RigidBody<2>& body) {
-  std::vector<Point> points;
-  if (const auto* line = std::get_if<PolylineShape>(&shape)) {
-    points = line->points;
-    body.radius = line->radius;
-  } else if (const auto* box = std::get_if<BoxShape>(&shape)) {
-    points = {box->lower, {box->lower[0], box->upper[1]}, box->upper, {box->upper[0], box->lower[1]}};
-  } else {
-    points = std::get<PolygonShape>(shape).points;
-    Array<double> x, y;
-    for (const Point& point : points) {
-      x.push_back(point[0]);
-      y.push_back(point[1]);
-    }
-    if (signed_area(x, y) > 0) std::reverse(points.begin(), points.end());
-  }
-  for (const Point& point : points) body.corners.push_back({point[0], point[1]});
+  const auto* line = std::get_if<PolylineShape>(&shape);
+  if (line) body.radius = line->radius;
+  for (const Point& point : line ? line->points : clockwise_corners(shape))
+    body.corners.push_back({point[0], point[1]});
   body.from = body.corners.front();
   body.to = body.corners.back();
 }
@@ -121,10 +64,23 @@ std::optional<EdgeLine> line_of(const RigidBody<2>& body) {
 
 }  // namespace
 
+std::vector<Point> clockwise_corners(const RigidShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape))
+    return {box->lower, {box->lower[0], box->upper[1]}, box->upper, {box->upper[0], box->lower[1]}};
+  std::vector<Point> points = std::get<PolygonShape>(shape).points;
+  Array<double> x, y;
+  for (const Point& point : points) {
+    x.push_back(point[0]);
+    y.push_back(point[1]);
+  }
+  if (signed_area(x, y) > 0) std::reverse(points.begin(), points.end());
+  return points;
+}
+
 RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
   RigidBody<2> body;
   body.name = spec.name;
-  body.centre = as_array(as_vector(centre_of(spec.motion)));
+  body.centre = centre_of<2>(spec.motion);
   if (const auto* half = std::get_if<HalfPlaneShape>(&spec.shape)) {
     body.half_plane = true;
     const Vec<2> normal = as_vector(half->normal).normalized(), point = as_vector(half->point);
@@ -140,19 +96,6 @@ RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain) {
     set_corners(spec.shape, body);
   }
   return body;
-}
-
-void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<2>& state) {
-  for (RigidBody<2>& body : state.rigid) {
-    const double angle = body.angle;
-    const Vec<2> displacement = as_vector(body.displacement);
-    if (body.moving) {
-      body.moved += dt;
-      std::visit(Pose{body}, find_named(specs, body.name).motion);
-    }
-    body.angle_rate = (body.angle - angle) / dt;
-    body.velocity = as_array((as_vector(body.displacement) - displacement) / dt);
-  }
 }
 
 RigidSurface::RigidSurface(const RigidBody<2>& body)

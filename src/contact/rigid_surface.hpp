@@ -18,8 +18,8 @@ namespace geodrop {
 /// A rigid body as it stands at the start of the scene; of a half-plane's boundary the part in the domain is kept.
 RigidBody<2> make_rigid_body(const RigidSpec& spec, const GridSpec& domain);
 
-/// Moves the bodies whose motion goes on by one step; their rates are means over it, zero for those at rest.
-void move_rigid_bodies(const std::vector<RigidSpec>& specs, double dt, State<2>& state);
+/// Of a box or polygon of the plane [m].
+std::vector<Point> clockwise_corners(const RigidShape& shape);
 
 /// The surface in its present pose.
 class RigidSurface {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "membrane_contact.hpp"
-#include "rigid_surface.hpp"
+#include "rigid_motion.hpp"
 #include "shift_at_rigid.hpp"
 #include "space_contact.hpp"
 #include "surface_contact.hpp"
@@ -46,14 +46,18 @@ Row<2> hold_shift_row(const Scene& scene) {
           each_field<2>([](State<2>& s, const Grid<2>& g, const StepContext& step) { hold_shift(s, g, step.dt); })};
 }
 
-Row<2> move_rigid_bodies_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> move_rigid_bodies_row(const Scene& scene) {
   const bool moves = std::any_of(scene.rigid.begin(), scene.rigid.end(), [](const RigidSpec& rigid) {
     return !std::holds_alternative<std::monostate>(rigid.motion);
   });
   return {"move_rigid_bodies", Data::time, Data::rigid_bodies, moves,
-          [rigid = scene.rigid](State<2>& s, const Grids<2>&, const StepContext& step) {
+          [rigid = scene.rigid](State<Dim>& s, const Grids<Dim>&, const StepContext& step) {
             move_rigid_bodies(rigid, step.dt, s);
           }};
 }
+
+template Row<2> move_rigid_bodies_row(const Scene&);
+template Row<3> move_rigid_bodies_row(const Scene&);
 
 }  // namespace geodrop

@@ -1,5 +1,5 @@
 // Rows of the step for contact with rigid bodies and between membranes, in the plane, and of membranes on rigid
-// half-spaces.
+// bodies in space.
 #pragma once
 
 #include <geodrop/grid/row.hpp>
@@ -11,6 +11,7 @@ Row<3> space_contact_row(const Scene& scene);
 Row<2> particle_contact_row(const Scene& scene);
 Row<2> rigid_share_row(const Scene& scene);
 Row<2> hold_shift_row(const Scene& scene);
-Row<2> move_rigid_bodies_row(const Scene& scene);
+template <int Dim>
+Row<Dim> move_rigid_bodies_row(const Scene& scene);
 
 }  // namespace geodrop

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "penalty.hpp"
+#include "space_surface.hpp"
 
 namespace geodrop {
 namespace {
@@ -35,18 +36,21 @@ Array<double> node_areas(const Membrane<3>& membrane) {
   return area;
 }
 
+/// A node inside a rigid body; velocity over its surface.
 struct Touch {
-  double area, depth;
-  Vec<3> normal, velocity, spring;
+  double area;
+  SpaceDepth depth;
+  Vec<3> velocity, spring;
 };
 
 /// Coulomb friction on the stretch of the spring, as penalty_force has it in the plane.
 Vec<3> push(const Touch& touch, std::uint32_t node, double dt, RigidContact<3>& contact) {
+  const Vec<3>& out = touch.depth.normal;
   const Penalty penalty = penalty_of(contact, touch.area);
-  const double v_n = touch.normal.dot(touch.velocity);
-  const Vec<3> moved = touch.spring + dt * (touch.velocity - v_n * touch.normal);
-  const Vec<3> stretch = moved - touch.normal.dot(moved) * touch.normal;
-  const double elastic = penalty.spring * touch.depth, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
+  const double v_n = out.dot(touch.velocity);
+  const Vec<3> moved = touch.spring + dt * (touch.velocity - v_n * out);
+  const Vec<3> stretch = moved - out.dot(moved) * out;
+  const double elastic = penalty.spring * touch.depth.size, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
   const double held = penalty.spring * stretch.norm(), limit = penalty.friction * normal;
   const Vec<3> kept = held > limit ? Vec<3>(limit / held * stretch) : stretch;
   const Vec<3> friction = -penalty.spring * kept;
@@ -57,41 +61,29 @@ Vec<3> push(const Touch& touch, std::uint32_t node, double dt, RigidContact<3>& 
   contact.side.push_back(0);
   contact.normal_sum += normal;
   contact.friction_sum += friction.norm();
-  Vec<3> force = normal * touch.normal + friction;
   for (int a = 0; a < 3; ++a) {
-    contact.normal_force[a] += normal * touch.normal[a];
+    contact.normal_force[a] += normal * out[a];
     contact.friction_force[a] += friction[a];
   }
-  return force;
+  return normal * out + friction;
 }
 
-void add_contact(const RigidBody<3>& rigid, double dt, Membrane<3>& membrane, RigidContact<3>& contact) {
+void add_contact(const SpaceSurface& surface, double dt, Membrane<3>& membrane, RigidContact<3>& contact) {
   Springs springs(contact);
   forget_points(contact);
-  const Vec<3> normal(rigid.normal.data()), from(rigid.from.data());
   const Array<double> area = node_areas(membrane);
   for (std::uint32_t k = 0; k < membrane.nodes(); ++k) {
-    const double depth = -normal.dot(vector_at(membrane.x, k) - from);
-    if (!(depth > 0)) continue;
-    const Vec<3> force = push({area[k], depth, normal, vector_at(membrane.v, k), springs.of(k)}, k, dt, contact);
+    const Vec<3> x = vector_at(membrane.x, k);
+    const auto depth = surface.depth(x);
+    if (!depth) continue;
+    const Vec<3> driven = surface.velocity(x);
+    const Vec<3> force = push({area[k], *depth, vector_at(membrane.v, k) - driven, springs.of(k)}, k, dt, contact);
+    contact.driving_work += dt * force.dot(driven);
     for (int a = 0; a < 3; ++a) membrane.load[a][k] += force[a];
   }
 }
 
 }  // namespace
-
-RigidBody<3> make_half_space(const RigidSpec& spec) {
-  const auto& half = std::get<HalfPlaneShape>(spec.shape);
-  RigidBody<3> body;
-  body.name = spec.name;
-  body.half_plane = true;
-  const Vec<3> normal = Vec<3>(half.normal.data()).normalized();
-  for (int a = 0; a < 3; ++a) {
-    body.from[a] = body.to[a] = half.point[a];
-    body.normal[a] = normal[a];
-  }
-  return body;
-}
 
 RigidContact<3> make_space_contact(const Scene& scene, const ContactSpec& spec, const State<3>& state) {
   const ContactPair pair = contact_pair(scene, spec);
@@ -116,7 +108,7 @@ void add_space_contacts(State<3>& state, double dt) {
     const RigidBody<3>& rigid = find_named(state.rigid, contact.rigid);
     Membrane<3>& membrane = find_named(state.membranes, contact.touching);
     if (rigid.present && membrane.field != waiting)
-      add_contact(rigid, dt, membrane, contact);
+      add_contact(SpaceSurface(rigid), dt, membrane, contact);
     else
       forget_points(contact);
   }

@@ -1,4 +1,4 @@
-// Nodes of membranes on rigid half-spaces: the penalty of surface_contact with areas for lengths, and a tangential
+// Nodes of membranes on rigid bodies in space: the penalty of surface_contact with areas for lengths, and a tangential
 // spring that is a vector.
 #pragma once
 
@@ -6,8 +6,6 @@
 #include <geodrop/state/state.hpp>
 
 namespace geodrop {
-
-RigidBody<3> make_half_space(const RigidSpec& spec);
 
 /// Stiffness and damping from the body inside or, of a membrane alone, from its own stiffness J and mass m per area:
 /// J / h^2 and sqrt(J m) / h.

@@ -6,7 +6,7 @@
 #include <geodrop/base/find_named.hpp>
 #include <limits>
 
-#include "contact/rigid_surface.hpp"
+#include "contact/space_surface.hpp"
 #include "geometry/polygon.hpp"
 #include "measure/membrane_balance.hpp"
 #include "measure/particle_columns.hpp"
@@ -108,21 +108,41 @@ void append_triangles(const Membrane<3>& membrane, std::uint32_t index, Membrane
   }
 }
 
+/// A corner of a rigid body; its number.
+std::uint32_t append_corner(const Vec<3>& x, const Vec<3>& v, RigidSnapshot& out) {
+  out.points.insert(out.points.end(), x.begin(), x.end());
+  for (const double component : v) out.fields[0].values.push_back(narrow(component));
+  return static_cast<std::uint32_t>(out.points.size() / 3 - 1);
+}
+
+void append_line(std::uint32_t from, std::uint32_t to, std::uint32_t index, RigidSnapshot& out) {
+  out.connectivity.insert(out.connectivity.end(), {from, to});
+  out.rigid.push_back(index);
+}
+
 void append_rigid(const RigidBody<2>& body, std::uint32_t index, RigidSnapshot& out) {
   const RigidSurface surface(body);
-  const std::vector<Vec<2>> corners = outline(body);
   const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
-  const auto count = static_cast<std::uint32_t>(corners.size());
-  for (const Vec<2>& x : corners) {
+  std::uint32_t count = 0;
+  for (const Vec<2>& x : outline(body)) {
     const Vec<2> v = surface.velocity(x);
-    out.points.insert(out.points.end(), {x[0], x[1], 0.0});
-    auto& velocity = out.fields[0].values;
-    velocity.insert(velocity.end(), {narrow(v[0]), narrow(v[1]), 0.0F});
+    append_corner({x[0], x[1], 0}, {v[0], v[1], 0}, out);
+    ++count;
   }
-  for (std::uint32_t line = 0; line + 1 < count || (line < count && !body.half_plane); ++line) {
-    out.connectivity.push_back(first + line);
-    out.connectivity.push_back(first + (line + 1) % count);
-    out.rigid.push_back(index);
+  for (std::uint32_t line = 0; line + 1 < count || (line < count && !body.half_plane); ++line)
+    append_line(first + line, first + (line + 1) % count, index, out);
+}
+
+/// The edges of a box or prism; none of a half-space.
+void append_rigid(const RigidBody<3>& body, std::uint32_t index, RigidSnapshot& out) {
+  const SpaceSurface surface(body);
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  const auto count = static_cast<std::uint32_t>(body.corners.size());
+  for (const Vec<3>& x : corners(body)) append_corner(x, surface.velocity(x), out);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    append_line(first + k, first + (k + 1) % count, index, out);
+    append_line(first + count + k, first + count + (k + 1) % count, index, out);
+    append_line(first + k, first + count + k, index, out);
   }
 }
 
@@ -184,11 +204,11 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
     if constexpr (Dim == 2) append_membrane(state.membranes[m], index, snapshot.membranes);
     if constexpr (Dim == 3) append_triangles(state.membranes[m], index, snapshot.membranes);
   }
-  snapshot.has_rigid = Dim == 2 && !state.rigid.empty();
+  snapshot.has_rigid = std::any_of(state.rigid.begin(), state.rigid.end(),
+                                   [](const RigidBody<Dim>& body) { return Dim == 2 || !body.half_plane; });
   snapshot.rigid.fields = {{"velocity", vector_components, {}}};
-  if constexpr (Dim == 2)
-    for (std::size_t r = 0; r < state.rigid.size(); ++r)
-      if (state.rigid[r].present) append_rigid(state.rigid[r], static_cast<std::uint32_t>(r), snapshot.rigid);
+  for (std::size_t r = 0; r < state.rigid.size(); ++r)
+    if (state.rigid[r].present) append_rigid(state.rigid[r], static_cast<std::uint32_t>(r), snapshot.rigid);
   snapshot.particles.precision = snapshot.membranes.precision = snapshot.rigid.precision = precision_for(state);
   return snapshot;
 }

@@ -57,7 +57,7 @@ struct Snapshot {
   std::size_t index = 0;  ///< of the frame, in file names
   ParticleSnapshot particles;
   MembraneSnapshot membranes;  ///< empty if the scene has none
-  bool has_rigid = false;      ///< the scene, of the plane, has rigid bodies, there or not
+  bool has_rigid = false;      ///< the scene has rigid bodies with lines to draw, there or not
   RigidSnapshot rigid;
 };
 

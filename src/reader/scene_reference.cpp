@@ -24,7 +24,7 @@ against (`src/reader/sections/`), so it says what the program does.
 - The run directory holds the scene as run: overrides applied, defaults filled in. It can be run again.
 - Numbers are finite, unless their row says that they may be `inf`.
 - `dimension = 2` is plane strain in x and y, per metre of depth; `dimension = 3` is space. Points have as many numbers as
-  the scene has dimensions. The last axis is the vertical one: y in 2D, z in 3D. Membranes are in 2D only.
+  the scene has dimensions. The last axis is the vertical one: y in 2D, z in 3D.
 
 Further checks, across keys: the spacing divides the domain (walls stand on grid lines) along axes without
 a zone of finer cells; such a zone lies inside the domain, has finer cells than the grid, and neither periodic walls nor

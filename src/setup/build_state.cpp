@@ -18,6 +18,7 @@
 #include "boundary/viscous_boundary.hpp"
 #include "contact/membrane_contact.hpp"
 #include "contact/space_contact.hpp"
+#include "contact/space_surface.hpp"
 #include "contact/surface_contact.hpp"
 #include "fill_particles.hpp"
 #include "initial_velocity.hpp"
@@ -225,7 +226,7 @@ int field_of(const State<2>& state, const Membrane<2>& membrane) {
 }
 
 void add_contacts(const Scene& scene, State<3>& state) {
-  for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_half_space(spec));
+  for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_rigid_body(spec));
   for (const ContactSpec& spec : scene.contacts) state.rigid_contacts.push_back(make_space_contact(scene, spec, state));
 }
 

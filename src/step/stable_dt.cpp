@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "contact/space_surface.hpp"
 #include "contact/surface_contact.hpp"
 #include "materials/neo_hookean.hpp"
 #include "materials/pore_gas.hpp"
@@ -123,13 +124,13 @@ double contact_dt(const State<Dim>& state, double h) {
   return dt;
 }
 
-/// Largest speed of capsules that something may touch [m/s]; a half-plane that turns has no largest one.
+/// Largest speed of rigid bodies that something may touch [m/s]; a half-plane that turns has no largest one.
 template <int Dim>
 double surface_speed(const State<Dim>& state) {
   double speed = 0;
-  if constexpr (Dim == 2)
-    for (const RigidBody<2>& body : state.rigid)
-      if (body.present) speed = std::max(speed, RigidSurface(body).speed());
+  using Surface = std::conditional_t<Dim == 2, RigidSurface, SpaceSurface>;
+  for (const RigidBody<Dim>& body : state.rigid)
+    if (body.present) speed = std::max(speed, Surface(body).speed());
   return speed;
 }
 

@@ -74,7 +74,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     keep_sides_row<Dim>,
     grid_to_boundaries_row,
     grid_to_tracers_row<Dim>,
-    move_rigid_bodies_row,
+    move_rigid_bodies_row<Dim>,
     pumps_row<Dim>,
     kinetic_damping_row<Dim>,
     energy_watch_row<Dim>,

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "contact/rigid_motion.hpp"
 #include "contact/rigid_surface.hpp"
 #include "support/near.hpp"
 

@@ -1,5 +1,6 @@
 // Gaps to capsules and half-planes by hand, and surfaces that move.
 #include "contact/rigid_surface.hpp"
+#include "contact/rigid_motion.hpp"
 
 #include <doctest/doctest.h>
 

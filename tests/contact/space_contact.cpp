@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/space_contact.hpp"
+#include "contact/space_surface.hpp"
 #include "support/near.hpp"
 
 using namespace geodrop;
@@ -20,7 +21,7 @@ struct Incline {
     RigidSpec spec;
     spec.name = "ground";
     spec.shape = HalfPlaneShape{{1, 2, 3}, {3, 0, 4}};
-    state.rigid.push_back(make_half_space(spec));
+    state.rigid.push_back(make_rigid_body(spec));
     Membrane<3> cloth;
     cloth.name = "cloth";
     const Vec<3> base(1, 2, 3), deep = base - 0.01 * normal;
@@ -73,4 +74,56 @@ TEST_CASE("Friction is a spring against the way along the surface, in any direct
   CHECK(slope.state.rigid_contacts[0].friction_work == near(500 * 5e-3, 1e-9));
   CHECK(slope.state.rigid_contacts[0].normal_sum == near(1000.0, 1e-12));
   CHECK(slope.state.rigid_contacts[0].friction_sum == near(500.0, 1e-12));
+}
+
+namespace {
+
+/// The Incline's triangle, node 0 at x, on another body.
+struct OnBody {
+  State<3> state;
+
+  OnBody(const RigidSpec& spec, const Vec<3>& x, const Vec<3>& velocity) : state(Incline(0.5, velocity).state) {
+    state.rigid = {make_rigid_body(spec)};
+    state.rigid[0].name = "ground";
+    for (int a = 0; a < 3; ++a) {
+      state.membranes[0].x[a] = {x[a], x[a] + 10, x[a] + 20};
+      state.membranes[0].v[a] = {velocity[a], 0, 0};
+    }
+    state.rigid_contacts[0].damping = 0;
+  }
+  Vec<3> push(double dt) {
+    for (auto& component : state.membranes[0].load) component.assign(3, 0.0);
+    add_space_contacts(state, dt);
+    return vector_at(state.membranes[0].load, 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A wall in space that moves takes a node along, and its work is counted") {
+  RigidSpec box;
+  box.shape = BoxShape{{0, 0, 0}, {5, 5, 1}};
+  OnBody on(box, {2, 2, 0.99}, {0, 3, 0});
+  on.state.rigid[0].velocity = {0, 3, 0};
+  // 1e5 Pa/m, 1 m2, 0.01 m: 1000 N up; no way along the wall, no friction.
+  CHECK((on.push(1e-3) - Vec<3>(0, 0, 1000)).norm() < 1e-9);
+  CHECK(on.state.rigid_contacts[0].driving_work == near_zero(1e-12));
+  on.state.rigid[0].velocity = {0, 5, 0};
+  // The wall is 2 m/s faster: 1 ms, 2 mm, 200 N along, 1 J of the wall at 5 m/s.
+  CHECK((on.push(1e-3) - Vec<3>(0, 200, 1000)).norm() < 1e-9);
+  CHECK(on.state.rigid_contacts[0].driving_work == near(1.0, 1e-12));
+}
+
+TEST_CASE("A node that comes from one face of a prism to the next keeps its spring, along the new face") {
+  RigidSpec roof;
+  roof.shape = PrismShape{{{0, -3, -3}, {0, 3, -3}, {0, 0, 0}}, 10};
+  const double slope = std::sqrt(0.5);
+  const Vec<3> left(0, -slope, slope), right(0, slope, slope);
+  OnBody on(roof, Vec<3>(5, 0, -1) + Vec<3>(0, -1, 0) - 0.02 * left, Vec<3>(2, 0, 0) + right);
+  // 2000 N out of the left face; 2 mm along x and 1 mm up the slope, 1e5 N/m.
+  CHECK((on.push(1e-3) - 2000 * left + 100 * (Vec<3>(2, 0, 0) + right)).norm() < 1e-6);
+  const Vec<3> there = Vec<3>(5, 1, -1) - 0.02 * right;
+  for (int a = 0; a < 3; ++a) on.state.membranes[0].x[a][0] = there[a];
+  for (int a = 0; a < 3; ++a) on.state.membranes[0].v[a][0] = 0;
+  CHECK((on.push(1e-3) - 2000 * right + 100 * Vec<3>(2, 0, 0)).norm() < 1e-6);
 }

@@ -23,12 +23,18 @@ struct PolylineShape {
   double radius = 0;          ///< [m]
   bool operator==(const PolylineShape&) const = default;
 };
-using RigidShape = std::variant<HalfPlaneShape, CapsuleShape, BoxShape, PolygonShape, PolylineShape>;
+/// In space: a polygon in a plane across x, drawn out along x.
+struct PrismShape {
+  std::vector<Point> points;  ///< corners of its end of least x, all with the same x [m]
+  double length = 0;          ///< along x [m]
+  bool operator==(const PrismShape&) const = default;
+};
+using RigidShape = std::variant<HalfPlaneShape, CapsuleShape, BoxShape, PolygonShape, PolylineShape, PrismShape>;
 
-/// Rotation about a point that stands still.
+/// Rotation about a point that stands still, in space about the axis along x through it.
 struct HingeMotionSpec {
   Point centre;               ///< [m]
-  double rate = 0;            ///< anticlockwise [rad/s]
+  double rate = 0;            ///< anticlockwise, in space from y to z [rad/s]
   double stop_angle_deg = 0;  ///< where it ends, > 0 in either sense [degree]
   bool operator==(const HingeMotionSpec&) const = default;
 };

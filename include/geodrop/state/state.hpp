@@ -154,23 +154,26 @@ struct Anchor {
 template <int Dim>
 struct RigidBody {
   std::string name;
-  bool half_plane = false;               ///< else a capsule, or what its corners say
-  std::array<double, Dim> from{}, to{};  ///< at the start: ends of the capsule's segment; a point of the half-plane [m]
-  std::array<double, Dim> normal{};      ///< of a half-plane at the start: unit, out of the rigid body
-  double radius = 0;                     ///< of a capsule or polyline [m]
-  std::array<double, Dim> centre{};      ///< of rotation [m]
-  bool moving = true;                    ///< its motion goes on
-  bool present = true;                   ///< contacts notice it
-  double moved = 0;                      ///< for how long it has moved [s]
-  double angle = 0;                      ///< anticlockwise from the start [rad]
+  bool half_plane = false;                 ///< else a capsule, or what its corners say
+  std::array<double, Dim> from{}, to{};    ///< at the start: ends of the capsule's segment; a point of the half-plane;
+                                           ///< the least and largest x of a box or prism in space [m]
+  std::array<double, Dim> normal{};        ///< of a half-plane at the start: unit, out of the rigid body
+  double radius = 0;                       ///< of a capsule or polyline [m]
+  std::array<double, Dim> centre{};        ///< of rotation [m]
+  bool moving = true;                      ///< its motion goes on
+  bool present = true;                     ///< contacts notice it
+  double moved = 0;                        ///< for how long it has moved [s]
+  double angle = 0;                        ///< anticlockwise from the start [rad]
   std::array<double, Dim> displacement{};  ///< from the start [m]
   double angle_rate = 0;                   ///< over the last step [rad/s]
   std::array<double, Dim> velocity{};      ///< likewise [m/s]
-  /// At the start [m]: of a polygon (radius 0) clockwise, so that the outside is on the left; of a polyline in order.
+  /// At the start [m]: of a polygon (radius 0) clockwise, so that the outside is on the left; of a polyline in order;
+  /// of a box or prism in space those of its section at the least x, clockwise seen from +x (y to the right, z up).
   RareList<std::array<double, Dim>> corners;
 };
 
-/// A membrane's nodes, or a body's particles, on a rigid body (2D). Nodes and particles are points here.
+/// A membrane's nodes, or a body's particles, on a rigid body (in space nodes only). Nodes and particles are points
+/// here.
 template <int Dim>
 struct RigidContact {
   std::string touching, rigid;

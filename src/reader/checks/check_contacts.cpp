@@ -2,7 +2,7 @@
 #include "check_scene.hpp"
 
 #include "contact/rigid_surface.hpp"
-#include "contact/space_contact.hpp"
+#include "contact/space_surface.hpp"
 
 #include <geodrop/base/find_named.hpp>
 #include <geodrop/geometry/shapes.hpp>
@@ -27,9 +27,22 @@ void check_table(const TableMotionSpec& table, const std::string& key, Report& r
                "one value for each time");
 }
 
+void check_prism(const PrismShape& prism, const std::string& key, Report& report) {
+  PolygonShape section;
+  for (const Point& point : prism.points) section.points.push_back({point[1], point[2]});
+  const auto elsewhere = std::find_if(prism.points.begin(), prism.points.end(),
+                                      [&](const Point& point) { return point[0] != prism.points.front()[0]; });
+  if (elsewhere != prism.points.end())
+    report.add(key + ".points", to_text(*elsewhere) + " after " + to_text(prism.points.front()),
+               "corners that have the same x");
+  else
+    check_polygon(section, key, report);
+}
+
 void check_rigid_shape(const RigidShape& shape, const std::string& key, Report& report) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) check_box(*box, key, report);
   if (const auto* polygon = std::get_if<PolygonShape>(&shape)) check_polygon(*polygon, key, report);
+  if (const auto* prism = std::get_if<PrismShape>(&shape)) check_prism(*prism, key, report);
   const auto* line = std::get_if<PolylineShape>(&shape);
   if (!line) return;
   if (line->points.size() < 2)
@@ -40,13 +53,20 @@ void check_rigid_shape(const RigidShape& shape, const std::string& key, Report& 
     check_legs(line->points, Ends::open, key + ".points", report);
 }
 
-void check_rigid(const RigidSpec& rigid, const std::string& key, Report& report) {
+bool turns(const RigidMotion& motion) {
+  const auto* table = std::get_if<TableMotionSpec>(&motion);
+  return std::holds_alternative<HingeMotionSpec>(motion) || (table && !table->angles_deg.empty());
+}
+
+void check_rigid(const Scene& scene, const RigidSpec& rigid, const std::string& key, Report& report) {
   const auto* half = std::get_if<HalfPlaneShape>(&rigid.shape);
   if (half && report.healthy(key + ".shape") && !shape_is_sound(*half))
     report.add(key + ".shape.normal", to_text(half->normal), "a vector that is not zero");
   if (report.healthy(key + ".shape")) check_rigid_shape(rigid.shape, key + ".shape", report);
   const auto* table = std::get_if<TableMotionSpec>(&rigid.motion);
   if (table && report.healthy(key + ".motion")) check_table(*table, key + ".motion", report);
+  if (half && scene.dimension == 3 && turns(rigid.motion) && report.healthy("dimension"))
+    report.add(key + ".motion", "a rotation of a half_space", "a translation, or a table of displacements");
 }
 
 /// Points of the outline of what touches, as drawn; none if that cannot be told.
@@ -89,7 +109,7 @@ void check_start(const Scene& scene, const ContactPair& pair, const std::string&
                "something that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
 }
 
-/// In space only membranes touch, and only half-spaces.
+/// In space only membranes touch.
 void check_in_space(const Scene& scene, const ContactPair& pair, const std::string& key, Report& report) {
   if (pair.kind != ContactPair::Kind::membrane_on_rigid) {
     report.add(key + ".between", '"' + pair.touching + "\" and \"" + pair.other + "\" in space",
@@ -97,12 +117,12 @@ void check_in_space(const Scene& scene, const ContactPair& pair, const std::stri
     return;
   }
   const MembraneSpec& membrane = find_named(scene.membranes, pair.touching);
-  const RigidBody<3> ground = make_half_space(find_named(scene.rigid, pair.other));
+  const SpaceSurface surface(make_rigid_body(find_named(scene.rigid, pair.other)));
   if (!membrane.drawn.region) return;
   const double allowed = finest_spacing(scene.grid) / 10;
   double deepest = 0;
   for (const Corner& x : membrane.drawn.region->surface().points)
-    deepest = std::max(deepest, -Vec<3>(ground.normal.data()).dot(Vec<3>(x.data()) - Vec<3>(ground.from.data())));
+    if (const auto depth = surface.depth(Vec<3>(x.data()))) deepest = std::max(deepest, depth->size);
   if (deepest > allowed)
     report.add(key + ".between",
                '"' + pair.touching + "\" up to " + to_text(deepest) + " m inside \"" + pair.other + '"',
@@ -131,7 +151,8 @@ bool check_pair(const Scene& scene, const ContactSpec& contact, const std::strin
 }  // namespace
 
 void check_contacts(const Scene& scene, Report& report) {
-  for (std::size_t i = 0; i < scene.rigid.size(); ++i) check_rigid(scene.rigid[i], report.element("rigid", i), report);
+  for (std::size_t i = 0; i < scene.rigid.size(); ++i)
+    check_rigid(scene, scene.rigid[i], report.element("rigid", i), report);
   std::set<std::pair<std::string, std::string>> pairs;
   for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
     const ContactSpec& contact = scene.contacts[i];

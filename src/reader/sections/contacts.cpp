@@ -15,10 +15,10 @@ SectionOf<RigidShape> rigid_shape_section() {
       "shape of a rigid body", "",
       "An inline table; `type` says which keys it has. What comes beside the segment of a capsule or a polyline stays "
       "on the side on which it came, down to twice the radius deep. What is inside a box or polygon leaves it the "
-      "nearest way: parts thinner than a cell do not hold. In an inner corner both faces push, at an outer one the corner "
+      "nearest way, and so in space a box or prism: parts thinner than a cell do not hold. In an inner corner both faces push, at an outer one the corner "
       "does.", {
       key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}, {"box", BoxShape{}}, {"polygon", PolygonShape{}}, {"polyline", PolylineShape{}}}, required, "which shape; capsule: a segment with rounded ends; polyline: a line of such segments").in(2),
-      key("type", itself<RigidShape>, {{"half_space", HalfPlaneShape{}}}, required, "which shape").in(3),
+      key("type", itself<RigidShape>, {{"half_space", HalfPlaneShape{}}, {"box", BoxShape{}}, {"prism", PrismShape{}}}, required, "which shape; prism: a polygon in a plane across x, drawn out along x").in(3),
       key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
       key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the rigid body; of any length").only("type=half_plane|half_space"),
       key("from", &CapsuleShape::from, "m", required, any, "one end of the segment").only("type=capsule"),
@@ -26,6 +26,8 @@ SectionOf<RigidShape> rigid_shape_section() {
       key("lower", &BoxShape::lower, "m", required, any, "lower corner").only("type=box"),
       key("upper", &BoxShape::upper, "m", required, any, "upper corner").only("type=box"),
       key("points", Either(&PolygonShape::points, &PolylineShape::points), "m", required, any, "at least 3 corners of a polygon, in either sense, or 2 of a polyline, in order; neither crosses itself").only("type=polygon|polyline"),
+      key("points", &PrismShape::points, "m", required, any, "at least 3 corners of the end of least x, all with that x, in either sense; the section does not cross itself").only("type=prism").in(3),
+      key("length", &PrismShape::length, "m", required, positive, "along x").only("type=prism").in(3),
       key("radius", Either(&CapsuleShape::radius, &PolylineShape::radius), "m", required, positive, "of the ends, half the thickness").only("type=capsule|polyline"),
   }};
 }
@@ -36,15 +38,15 @@ SectionOf<RigidMotion> rigid_motion_section() {
       "motion of a rigid body", "",
       "An inline table; `type` says which keys it has.", {
       key("type", itself<RigidMotion>, {{"none", std::monostate{}}, {"hinge", HingeMotionSpec{}}, {"translation", TranslationMotionSpec{}}, {"table", TableMotionSpec{}}}, required, "hinge: rotation at a constant rate; translation: at a constant velocity; table: either, piecewise linear in time"),
-      key("rate", &HingeMotionSpec::rate, "rad/s", required, not_zero, "anticlockwise").only("type=hinge"),
+      key("rate", &HingeMotionSpec::rate, "rad/s", required, not_zero, "anticlockwise; in space from y to z").only("type=hinge"),
       key("stop_angle_deg", &HingeMotionSpec::stop_angle_deg, "degree", required, positive, "how far it turns, in either sense").only("type=hinge"),
       key("velocity", &TranslationMotionSpec::velocity, "m/s", required, any, "of all its points").only("type=translation"),
       key.decides("of", {"angle", "displacement"}, required, "what the table lists").only("type=table"),
       key.reals("times", &TableMotionSpec::times, "s", required, not_negative, "ascending; it is at rest before the first and after the last").only("type=table"),
-      key.reals("angles_deg", &TableMotionSpec::angles_deg, "degree", required, any, "one for each time, anticlockwise from the start").only("of=angle"),
+      key.reals("angles_deg", &TableMotionSpec::angles_deg, "degree", required, any, "one for each time, anticlockwise from the start; in space from y to z").only("of=angle"),
       key("displacements", &TableMotionSpec::displacements, "m", required, any, "one for each time, from the start").only("of=displacement"),
-      key("centre", &HingeMotionSpec::centre, "m", required, any, "of the rotation").only("type=hinge"),
-      key("centre", &TableMotionSpec::centre, "m", required, any, "of the rotation").only("of=angle"),
+      key("centre", &HingeMotionSpec::centre, "m", required, any, "of the rotation; in space about the axis along x through it").only("type=hinge"),
+      key("centre", &TableMotionSpec::centre, "m", required, any, "of the rotation; in space about the axis along x through it").only("of=angle"),
   }};
 }
 
@@ -55,7 +57,7 @@ SectionOf<RigidSpec> rigid_section() {
       "Rigid ground, walls and hulls; only what `contacts` names notices them.", {
       key("name", &RigidSpec::name, required, identifier, "what contacts refer to"),
       key.table("shape", &RigidSpec::shape, rigid_shape_section(), required, "where it is"),
-      key.table("motion", &RigidSpec::motion, rigid_motion_section(), standard("{ type = \"none\" }"), "how it moves").in(2),
+      key.table("motion", &RigidSpec::motion, rigid_motion_section(), standard("{ type = \"none\" }"), "how it moves; a half-space does not turn"),
   }};
 }
 
