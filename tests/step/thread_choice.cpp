@@ -65,6 +65,16 @@ TEST_CASE("Programs that come and go are noticed") {
   CHECK(whole.text().find(" % of the steps, 1 in ") != std::string::npos);
 }
 
+TEST_CASE("A machine that gets busy after minutes of quiet is noticed within seconds") {
+  ThreadChoice choice(2);
+  const Machine quiet = [](int n, double) { return n == 1 ? 0.01 : 0.006; };
+  const Machine busy = [](int n, double) { return n == 1 ? 0.015 : 0.2; };
+  cost(choice, quiet, 200, 2);  // by now it would try one thread every 30 s only
+  CHECK(choice.threads() == 2);
+  cost(choice, busy, 5, 2);
+  CHECK(choice.threads() == 1);
+}
+
 TEST_CASE("Of one thread there is nothing to choose") {
   ThreadChoice choice(1);
   for (int step = 0; step < 100; ++step) choice.took(step % 7 == 0 ? 1.0 : 0.01);
