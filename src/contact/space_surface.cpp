@@ -30,9 +30,7 @@ RigidBody<2> section_of(const RigidBody<3>& body) {
 RigidShape section_of(const RigidShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape))
     return BoxShape{{box->lower[1], box->lower[2]}, {box->upper[1], box->upper[2]}};
-  PolygonShape section;
-  for (const Point& point : std::get<PrismShape>(shape).points) section.points.push_back({point[1], point[2]});
-  return section;
+  return section_of(std::get<PrismShape>(shape));
 }
 
 /// Least and largest x of a box or prism at the start [m].
@@ -43,6 +41,12 @@ std::pair<double, double> ends_of(const RigidShape& shape) {
 }
 
 }  // namespace
+
+PolygonShape section_of(const PrismShape& prism) {
+  PolygonShape section;
+  for (const Point& point : prism.points) section.points.push_back({point[1], point[2]});
+  return section;
+}
 
 RigidBody<3> make_rigid_body(const RigidSpec& spec) {
   RigidBody<3> body;

@@ -17,6 +17,9 @@ namespace geodrop {
 /// A rigid body as it stands at the start of the scene.
 RigidBody<3> make_rigid_body(const RigidSpec& spec);
 
+/// In the plane of y and z, as drawn.
+PolygonShape section_of(const PrismShape& prism);
+
 /// How far a point is inside, and the way out.
 struct SpaceDepth {
   double size = 0;                 ///< > 0 [m]

@@ -1,4 +1,4 @@
-// Nodes of a membrane in space on a rigid half-space: one triangle against the penalty law by hand.
+// Nodes of a membrane in space on rigid bodies: one triangle against the penalty law by hand.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,22 +12,17 @@ using namespace geodrop::test;
 
 namespace {
 
-/// A triangle of 3 m2 at rest whose node 0 is 0.01 m deep in a slope of 3 : 4; the others are outside.
-struct Incline {
+/// A triangle of 3 m2 at rest whose node 0 is at x, inside a rigid body; the others are outside.
+struct OnBody {
   State<3> state;
-  Vec<3> normal{0.6, 0.0, 0.8}, along{0.8, 0.0, -0.6}, across{0.0, 1.0, 0.0};
 
-  Incline(double friction, const Vec<3>& velocity) {
-    RigidSpec spec;
+  OnBody(RigidSpec spec, const Vec<3>& x, const Vec<3>& velocity, double friction = 0.5, double damping = 0) {
     spec.name = "ground";
-    spec.shape = HalfPlaneShape{{1, 2, 3}, {3, 0, 4}};
     state.rigid.push_back(make_rigid_body(spec));
     Membrane<3> cloth;
     cloth.name = "cloth";
-    const Vec<3> base(1, 2, 3), deep = base - 0.01 * normal;
-    for (const Vec<3>& x : {deep, Vec<3>(base + normal), Vec<3>(base + 2 * normal + across)})
-      for (int a = 0; a < 3; ++a) cloth.x[a].push_back(x[a]);
     for (int a = 0; a < 3; ++a) {
+      cloth.x[a] = {x[a], x[a] + 10, x[a] + 20};
       cloth.v[a] = {velocity[a], 0, 0};
       cloth.load[a].assign(3, 0.0);
     }
@@ -40,7 +35,7 @@ struct Incline {
     contact.rigid = "ground";
     contact.friction = friction;
     contact.stiffness = 1e5;
-    contact.damping = 100;
+    contact.damping = damping;
     state.rigid_contacts.push_back(contact);
   }
   Vec<3> push(double dt) {
@@ -48,6 +43,21 @@ struct Incline {
     add_space_contacts(state, dt);
     return vector_at(state.membranes[0].load, 0);
   }
+};
+
+RigidSpec spec_of(RigidShape shape) {
+  RigidSpec spec;
+  spec.shape = std::move(shape);
+  return spec;
+}
+
+/// 0.01 m deep in a slope of 3 : 4.
+struct Incline : OnBody {
+  Vec<3> normal{0.6, 0.0, 0.8};
+
+  Incline(double friction, const Vec<3>& velocity)
+      : OnBody(spec_of(HalfPlaneShape{{1, 2, 3}, {3, 0, 4}}), Vec<3>(1, 2, 3) - 0.01 * Vec<3>(0.6, 0.0, 0.8), velocity,
+               friction, 100) {}
 };
 
 }  // namespace
@@ -76,34 +86,8 @@ TEST_CASE("Friction is a spring against the way along the surface, in any direct
   CHECK(slope.state.rigid_contacts[0].friction_sum == near(500.0, 1e-12));
 }
 
-namespace {
-
-/// The Incline's triangle, node 0 at x, on another body.
-struct OnBody {
-  State<3> state;
-
-  OnBody(const RigidSpec& spec, const Vec<3>& x, const Vec<3>& velocity) : state(Incline(0.5, velocity).state) {
-    state.rigid = {make_rigid_body(spec)};
-    state.rigid[0].name = "ground";
-    for (int a = 0; a < 3; ++a) {
-      state.membranes[0].x[a] = {x[a], x[a] + 10, x[a] + 20};
-      state.membranes[0].v[a] = {velocity[a], 0, 0};
-    }
-    state.rigid_contacts[0].damping = 0;
-  }
-  Vec<3> push(double dt) {
-    for (auto& component : state.membranes[0].load) component.assign(3, 0.0);
-    add_space_contacts(state, dt);
-    return vector_at(state.membranes[0].load, 0);
-  }
-};
-
-}  // namespace
-
 TEST_CASE("A wall in space that moves takes a node along, and its work is counted") {
-  RigidSpec box;
-  box.shape = BoxShape{{0, 0, 0}, {5, 5, 1}};
-  OnBody on(box, {2, 2, 0.99}, {0, 3, 0});
+  OnBody on(spec_of(BoxShape{{0, 0, 0}, {5, 5, 1}}), {2, 2, 0.99}, {0, 3, 0});
   on.state.rigid[0].velocity = {0, 3, 0};
   // 1e5 Pa/m, 1 m2, 0.01 m: 1000 N up; no way along the wall, no friction.
   CHECK((on.push(1e-3) - Vec<3>(0, 0, 1000)).norm() < 1e-9);
@@ -115,8 +99,7 @@ TEST_CASE("A wall in space that moves takes a node along, and its work is counte
 }
 
 TEST_CASE("A node that comes from one face of a prism to the next keeps its spring, along the new face") {
-  RigidSpec roof;
-  roof.shape = PrismShape{{{0, -3, -3}, {0, 3, -3}, {0, 0, 0}}, 10};
+  const RigidSpec roof = spec_of(PrismShape{{{0, -3, -3}, {0, 3, -3}, {0, 0, 0}}, 10});
   const double slope = std::sqrt(0.5);
   const Vec<3> left(0, -slope, slope), right(0, slope, slope);
   OnBody on(roof, Vec<3>(5, 0, -1) + Vec<3>(0, -1, 0) - 0.02 * left, Vec<3>(2, 0, 0) + right);

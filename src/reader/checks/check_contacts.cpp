@@ -28,15 +28,13 @@ void check_table(const TableMotionSpec& table, const std::string& key, Report& r
 }
 
 void check_prism(const PrismShape& prism, const std::string& key, Report& report) {
-  PolygonShape section;
-  for (const Point& point : prism.points) section.points.push_back({point[1], point[2]});
   const auto elsewhere = std::find_if(prism.points.begin(), prism.points.end(),
                                       [&](const Point& point) { return point[0] != prism.points.front()[0]; });
   if (elsewhere != prism.points.end())
     report.add(key + ".points", to_text(*elsewhere) + " after " + to_text(prism.points.front()),
                "corners that have the same x");
   else
-    check_polygon(section, key, report);
+    check_polygon(section_of(prism), key, report);
 }
 
 void check_rigid_shape(const RigidShape& shape, const std::string& key, Report& report) {
