@@ -202,11 +202,16 @@ Geotube whole_tube(const GeotubeInput& tube, const TubeShape& shape) {
 
 }  // namespace
 
-Geotube solve_geotube(const GeotubeInput& input) {
+std::optional<Geotube> find_geotube(const GeotubeInput& input) {
   check(input);
   const std::optional<TubeShape> shape = reach(input);
-  if (!shape) refuse_floating(input);
-  return whole_tube(input, *shape);
+  return shape ? std::optional(whole_tube(input, *shape)) : std::nullopt;
+}
+
+Geotube solve_geotube(const GeotubeInput& input) {
+  const std::optional<Geotube> tube = find_geotube(input);
+  if (!tube) refuse_floating(input);
+  return *tube;
 }
 
 std::vector<OutlinePoint> geotube_outline(const Geotube& tube, int segments) {

@@ -388,4 +388,7 @@ TEST_CASE("A tube that floats is refused with the highest water in which it rest
   check_equal(14e3 * wet.area, 12e3 * 5.56, 1e-4);  // it almost swims
   check_refused(in_water(deep, limit * (1 + 1e-6), 14e3), "above which this tube floats");
   check_refused(in_water(paper_tube(5.56), 5, 12e3), "above which this tube floats");
+  CHECK_FALSE(find_geotube(in_water(deep, limit * (1 + 1e-6), 14e3)));
+  REQUIRE(find_geotube(in_water(deep, limit * (1 - 1e-6), 14e3)));
+  CHECK(find_geotube(paper_tube(5.56))->tension == solve_geotube(paper_tube(5.56)).tension);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace geodrop {
@@ -50,6 +51,9 @@ struct Geotube {
 /// area, height, pressure, tension, water-level, water-unit-weight, if there is no such tube; says within which limits
 /// there is. Strains over 1 are refused: T = J strain means nothing there, and one pressure would belong to two tubes.
 Geotube solve_geotube(const GeotubeInput& input);
+
+/// The same, but empty if the tube floats, without the search for the highest water that it rests in.
+std::optional<Geotube> find_geotube(const GeotubeInput& input);
 
 /// A point of the membrane.
 struct OutlinePoint {

@@ -53,7 +53,7 @@ std::optional<Geotube> exact_tube(const Scene& scene, const GeotubeProbeSpec& pr
   input.given = GeotubeQuantity::area;
   input.value = std::accumulate(fill.mass.begin(), fill.mass.end(), 0.0) / reference_density(fill.material);
   try {
-    return solve_geotube(input);
+    return find_geotube(input);
   } catch (const SceneError&) {
     return std::nullopt;
   }
