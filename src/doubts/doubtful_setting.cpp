@@ -125,6 +125,22 @@ std::string gap_in_column(const Scene& scene, double x) {
   return {};
 }
 
+/// Only particles of cells all of whose neighbours are full are shifted (transfer/gather).
+std::string shift_doubt(const Scene& scene, const BodySpec& body) {
+  if (!body.shift) return {};
+  constexpr double least_cells = 4;
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < box.lower.size(); ++i) {
+    const bool from_wall_to_wall = box.lower[i] <= scene.grid.lower[i] && box.upper[i] >= scene.grid.upper[i];
+    if (!from_wall_to_wall) least = std::min(least, box.upper[i] - box.lower[i]);
+  }
+  if (least >= least_cells * scene.grid.spacing) return {};
+  return "bodies." + body.name + ".shift moves few particles or none: the body is " +
+         number(least / scene.grid.spacing) + " cells across, and only cells with full neighbours on all sides are " +
+         "evened out; take a grid.spacing of " + number(least / least_cells) + " m or less";
+}
+
 }  // namespace
 
 std::vector<std::string> doubtful_water(const Scene& scene) {
@@ -156,6 +172,8 @@ std::vector<std::string> doubtful_numerics(const Scene& scene) {
   if (scene.solver.courant > usual)
     found.push_back("solver.courant = " + number(scene.solver.courant) + " is above " + number(usual) +
                     ", up to which splashing water was tried");
+  for (const BodySpec& body : scene.bodies)
+    if (std::string doubt = shift_doubt(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
   return found;
 }
 

@@ -72,6 +72,9 @@ TEST_CASE("Water: its surface, its speed of sound, a gap below it") {
 TEST_CASE("Numbers out of scale, and output that fills the disk") {
   CHECK(contains(main_case({"solver.blend_rate=1e6"}), "solver.blend_rate = 1e+06 1/s is out of all scale"));
   CHECK(contains(main_case({"solver.courant=0.9"}), "solver.courant = 0.9 is above 0.5"));
+  CHECK(contains(joined({"grid.spacing=0.5"}, "cases/dump_kekerdom.toml"),
+                 "bodies.pore_water.shift moves few particles or none: the body is 2"));
+  CHECK_FALSE(contains(joined({"grid.spacing=0.125"}, "cases/dump_kekerdom.toml"), ".shift"));
   CHECK(contains(main_case({"output.frame_interval=1e-6"}), "frames of about"));
   CHECK(contains(main_case({"output.frame_interval=100.0"}), "longer than the run"));
   CHECK(contains(main_case({"output.history_interval=1e-6"}), "rows of history.csv"));
