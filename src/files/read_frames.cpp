@@ -93,21 +93,23 @@ double time_of(vtkDataObject* data) {
   return time && time->GetNumberOfTuples() > 0 ? time->GetTuple1(0) : 0;
 }
 
-/// Lines of a file that is there; none if it is not.
+/// Lines, or triangles, of a file that is there; none if it is not. How many corners each has, 2 or 3.
 template <class LineSnapshot>
-void read_lines(const fs::path& file, LineSnapshot& to, const char* number, std::vector<std::uint32_t>& numbers) {
-  if (!fs::exists(file)) return;
+int read_lines(const fs::path& file, LineSnapshot& to, const char* number, std::vector<std::uint32_t>& numbers) {
+  if (!fs::exists(file)) return 2;
   vtkNew<vtkXMLPolyDataReader> reader;
   read(reader.Get(), file);
   vtkPolyData* const data = reader->GetOutput();
   to.points = points_of(data);
-  vtkCellArray* const lines = data->GetLines();
+  const bool are_triangles = data->GetNumberOfPolys() > 0;
+  vtkCellArray* const cells = are_triangles ? data->GetPolys() : data->GetLines();
   vtkIdType count = 0;
   const vtkIdType* nodes = nullptr;
-  for (lines->InitTraversal(); lines->GetNextCell(count, nodes);)
+  for (cells->InitTraversal(); cells->GetNextCell(count, nodes);)
     for (vtkIdType k = 0; k < count; ++k) to.connectivity.push_back(static_cast<std::uint32_t>(nodes[k]));
   to.fields = fields_of(data->GetCellData());
   copy(data->GetCellData(), number, numbers);
+  return are_triangles ? 3 : 2;
 }
 
 }  // namespace
@@ -143,7 +145,8 @@ Snapshot read_frame(const fs::path& directory, std::size_t index) {
   copy(data->GetPointData(), "material", snapshot.particles.material);
   copy(data->GetPointData(), "body", snapshot.particles.body);
   copy(data->GetPointData(), "id", snapshot.particles.id);
-  read_lines(path("membranes", "vtp"), snapshot.membranes, "membrane", snapshot.membranes.membrane);
+  snapshot.membranes.corners =
+      read_lines(path("membranes", "vtp"), snapshot.membranes, "membrane", snapshot.membranes.membrane);
   snapshot.has_rigid = fs::exists(path("rigid", "vtp"));
   read_lines(path("rigid", "vtp"), snapshot.rigid, "rigid", snapshot.rigid.rigid);
   return snapshot;
