@@ -41,6 +41,16 @@ std::vector<float> distance_from_void(const std::vector<Nearest>& nearest, Pixel
   return distance;
 }
 
+void paint(std::string& pixels, std::size_t pixel, Colour colour) {
+  pixels[4 * pixel] = static_cast<char>(colour.red);
+  pixels[4 * pixel + 1] = static_cast<char>(colour.green);
+  pixels[4 * pixel + 2] = static_cast<char>(colour.blue);
+}
+
+// Pixels whose centres lie beyond or before a place [px].
+int first_from(double at) { return static_cast<int>(std::ceil(std::max(at - 0.5, 0.0))); }
+int last_to(double at, int most) { return static_cast<int>(std::floor(std::min(at - 0.5, most - 1.0))); }
+
 }  // namespace
 
 Mask inside_of(const std::vector<std::array<double, 4>>& ends, const Window& window, PixelSize size) {
@@ -69,8 +79,6 @@ std::string draw_discs(const std::vector<Disc>& discs, const Window& window, Pix
   const double scale = size.width / window.width();  // [px/m]
   std::string pixels(4 * width * height, '\0');
   std::vector<Nearest> nearest(width * height);
-  const auto first = [](double at) { return static_cast<int>(std::ceil(std::max(at - 0.5, 0.0))); };
-  const auto last = [](double at, int most) { return static_cast<int>(std::floor(std::min(at - 0.5, most - 1.0))); };
   for (const Disc& disc : discs) {
     const double x = (disc.centre[0] - window.lower[0]) * scale, y = (disc.centre[1] - window.lower[1]) * scale;
     const double radius = std::max(disc.radius * scale, 0.75),
@@ -81,16 +89,14 @@ std::string draw_discs(const std::vector<Disc>& discs, const Window& window, Pix
     };
     // What has got out is seen as it is.
     const bool bounded = disc.within && (!centre_seen || (*disc.within)[pixel_at(x, y)]);
-    for (int j = first(y - far); j <= last(y + far, size.height); ++j)
-      for (int i = first(x - far); i <= last(x + far, size.width); ++i) {
+    for (int j = first_from(y - far); j <= last_to(y + far, size.height); ++j)
+      for (int i = first_from(x - far); i <= last_to(x + far, size.width); ++i) {
         const auto distance = static_cast<float>(std::hypot(i + 0.5 - x, j + 0.5 - y));
         const std::size_t pixel = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
         if (bounded && !(*disc.within)[pixel]) continue;
         if (static_cast<double>(distance) > far || distance >= nearest[pixel].distance) continue;
         nearest[pixel] = {distance, static_cast<float>(radius)};
-        pixels[4 * pixel] = static_cast<char>(disc.colour.red);
-        pixels[4 * pixel + 1] = static_cast<char>(disc.colour.green);
-        pixels[4 * pixel + 2] = static_cast<char>(disc.colour.blue);
+        paint(pixels, pixel, disc.colour);
       }
   }
   constexpr float chamfer = 1.09F;  // for what the distance is too large
@@ -100,6 +106,42 @@ std::string draw_discs(const std::vector<Disc>& discs, const Window& window, Pix
     const bool covered = radius > 0 && nearest[i].distance <= radius;
     const bool in_gap = radius > 0 && from_void[i] > chamfer * (static_cast<float>(reach) - 1) * radius;
     if (covered || in_gap) pixels[4 * i + 3] = '\xff';
+  }
+  return pixels;
+}
+
+std::string draw_facets(const std::vector<Facet>& facets, const Window& window, PixelSize size) {
+  const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
+  const double scale = size.width / window.width();  // [px/m]
+  std::string pixels(4 * width * height, '\0');
+  constexpr double rounding = 1e-9;  // no gap between neighbours
+  std::vector<double> foremost(width * height, -std::numeric_limits<double>::infinity());
+  for (const Facet& facet : facets) {
+    std::array<double, 3> x, y;  // [px]
+    for (std::size_t k = 0; k < 3; ++k) {
+      x[k] = (facet.corners[k][0] - window.lower[0]) * scale;
+      y[k] = (facet.corners[k][1] - window.lower[1]) * scale;
+    }
+    const auto twice_area = [&](std::size_t a, std::size_t b, double px, double py) {
+      return (x[b] - x[a]) * (py - y[a]) - (px - x[a]) * (y[b] - y[a]);
+    };
+    const double whole = twice_area(0, 1, x[2], y[2]);
+    if (whole == 0) continue;  // seen edge on
+    const auto [left, right] = std::ranges::minmax(x);
+    const auto [low, high] = std::ranges::minmax(y);
+    for (int j = first_from(low); j <= last_to(high, size.height); ++j)
+      for (int i = first_from(left); i <= last_to(right, size.width); ++i) {
+        std::array<double, 3> share;  // of the corners
+        for (std::size_t k = 0; k < 3; ++k) share[k] = twice_area((k + 1) % 3, (k + 2) % 3, i + 0.5, j + 0.5) / whole;
+        if (std::ranges::min(share) < -rounding) continue;
+        double z = 0;
+        for (std::size_t k = 0; k < 3; ++k) z += share[k] * facet.corners[k][2];
+        const std::size_t pixel = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
+        if (z <= foremost[pixel]) continue;
+        foremost[pixel] = z;
+        paint(pixels, pixel, facet.colour);
+        pixels[4 * pixel + 3] = '\xff';
+      }
   }
   return pixels;
 }

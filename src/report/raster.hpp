@@ -1,4 +1,4 @@
-// Particles as pixels: each pixel has the colour of the nearest particle.
+// Particles as pixels: each pixel has the colour of the nearest particle. Triangles as pixels: that of the foremost.
 #pragma once
 
 #include "colours.hpp"
@@ -39,5 +39,14 @@ struct Disc {
 /// overlap the one with the nearer centre is seen, so that particles fill the plane without an order; narrow gaps
 /// between them are closed.
 std::string draw_discs(const std::vector<Disc>& discs, const Window& window, PixelSize size);
+
+/// A triangle in space.
+struct Facet {
+  std::array<std::array<double, 3>, 3> corners{};  ///< x and y of the plane, z towards the viewer [m]
+  Colour colour;
+};
+
+/// Bytes as of draw_discs: each pixel has the colour of the triangle with the largest z at its centre.
+std::string draw_facets(const std::vector<Facet>& facets, const Window& window, PixelSize size);
 
 }  // namespace geodrop
