@@ -35,7 +35,9 @@ constexpr std::pair<const char*, const char*> examples[] = {
      "geodrop plot runs/stiffness --over membranes.bag.axial_stiffness --result height_m"},
     {"snapshot",
      "geodrop snapshot runs/dump_kekerdom --time 2.5\n"
-     "geodrop snapshot runs/dump_kekerdom --field velocity --window=-4,4,-1,6 --membrane utilisation"},
+     "geodrop snapshot runs/dump_kekerdom --field velocity --window=-4,4,-1,6 --membrane utilisation\n"
+     "geodrop snapshot runs/release_uneven_3d --time 4 --field tension\n"
+     "geodrop snapshot runs/release_uneven_3d --time 4 --cut=-8,0.5"},
     {"animate", "geodrop animate runs/dump_kekerdom --field velocity"},
     {"report",
      "geodrop report runs/dump_kekerdom --seam-efficiency 0.7 --reduction-installation 1.3\n"

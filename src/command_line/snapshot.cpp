@@ -21,12 +21,21 @@ void add_picture_options(CLI::App& command, SnapshotArguments& arguments) {
   command.add_option("directory", arguments.directory, "run directory")->required();
   command.add_option("--field", arguments.picture.field,
                      "what particles are coloured by: layers (default), material, velocity, velocity_y, displacement, "
-                     "stress_yy, mean_pressure, pore_pressure, density, ...");
+                     "stress_yy, mean_pressure, pore_pressure, density, ...; in space, in which these are drawn in a "
+                     "cut, also membranes from outside: tension, cross_tension, utilisation, strain, ...");
   command.add_option("--membrane", arguments.picture.membrane,
                      "what membranes are coloured by: tension (default), utilisation, strain, ..., none");
-  command.add_option("--window", arguments.window, "X0,X1,Y0,Y1, the part that is shown [m] (default: all)")
+  command
+      .add_option("--window", arguments.window,
+                  "X0,X1,Y0,Y1, in space X0,X1,Y0,Y1,Z0,Z1, the part that is shown [m] (default: all)")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(4, 6);
+  command
+      .add_option(
+          "--cut", arguments.cut,
+          "X,Y, in space: where the front view and the side view are cut [m] (default: middle of the membranes)")
+      ->delimiter(',')
+      ->expected(2);
   command.add_option("--range", arguments.range, "LOW,HIGH of the field, SI units (default: of the frame)")
       ->delimiter(',')
       ->expected(2);
@@ -43,16 +52,29 @@ std::optional<ValueRange> range_of(const std::vector<double>& ends, const char* 
   return ValueRange{ends[0], ends[1]};
 }
 
-PictureOptions picture_of(const SnapshotArguments& arguments) {
+/// Two numbers for each axis of the scene.
+Extent window_of(const std::vector<double>& ends, std::size_t dimension) {
+  const std::string allowed = dimension == 2 ? "X0,X1,Y0,Y1" : "X0,X1,Y0,Y1,Z0,Z1";
+  if (ends.size() != 2 * dimension)
+    snapshot_errors.refuse("--window", std::to_string(ends.size()) + " numbers", allowed);
+  Extent window{{}, {}};
+  for (std::size_t a = 0; a < dimension; ++a) {
+    window.lower[a] = ends[2 * a];
+    window.upper[a] = ends[2 * a + 1];
+    if (!(window.lower[a] < window.upper[a]))
+      snapshot_errors.refuse("--window", "numbers that are not in order", allowed);
+  }
+  return window;
+}
+
+PictureOptions picture_of(const SnapshotArguments& arguments, const Scene& scene) {
   PictureOptions picture = arguments.picture;
   if (picture.field == "pressure") picture.field = "mean_pressure";
   picture.range = range_of(arguments.range, "--range");
   picture.tensions = range_of(arguments.tensions, "--membrane-range");
-  if (const std::vector<double>& w = arguments.window; !w.empty()) {
-    if (!(w[0] < w[1] && w[2] < w[3]))
-      snapshot_errors.refuse("--window", "numbers that are not in order", "X0,X1,Y0,Y1");
-    picture.window = Window{{w[0], w[2]}, {w[1], w[3]}};
-  }
+  if (!arguments.window.empty())
+    picture.window = window_of(arguments.window, static_cast<std::size_t>(scene.dimension));
+  if (!arguments.cut.empty()) picture.cut = {arguments.cut[0], arguments.cut[1]};
   return picture;
 }
 
@@ -78,7 +100,8 @@ int run_snapshot(const SnapshotArguments& arguments) {
   const Scene scene = read_scene(directory / "scene.toml");
   const Snapshot snapshot =
       read_frame(directory, arguments.time < 0 ? times.size() - 1 : frame_near(times, arguments.time));
-  const PictureOptions picture = picture_of(arguments);
+  PictureOptions picture = picture_of(arguments, scene);
+  picture.field = picture_field(snapshot, picture);
   std::array<char, 32> time;
   std::snprintf(time.data(), time.size(), "_%.2f_s.png", snapshot.t);
   const fs::path file =
@@ -94,7 +117,7 @@ int run_animate(const SnapshotArguments& arguments) {
   std::iota(frames.begin(), frames.end(), std::size_t{0});
   const Scene scene = read_scene(directory / "scene.toml");
   const fs::path file = arguments.output.empty() ? directory / "animation.gif" : fs::path(arguments.output);
-  draw_animation(scene, directory, frames, picture_of(arguments), file);
+  draw_animation(scene, directory, frames, picture_of(arguments, scene), file);
   std::cout << file.string() << '\n';
   return 0;
 }

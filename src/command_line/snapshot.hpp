@@ -14,7 +14,7 @@ struct SnapshotArguments {
   std::string directory;
   double time = -1;  ///< < 0: the last frame
   PictureOptions picture;
-  std::vector<double> window, range, tensions;
+  std::vector<double> window, range, tensions, cut;
   std::string output;
 };
 

@@ -13,7 +13,8 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> units[] = {
     {"velocity", "m/s"},         {"displacement", "m"},    {"stress", "Pa"},
     {"mean_pressure", "Pa"},     {"pore_pressure", "Pa"},  {"density", "kg/m3"},
-    {"contents_pressure", "Pa"}, {"water_pressure", "Pa"}, {"tension", "N/m"}};
+    {"contents_pressure", "Pa"}, {"water_pressure", "Pa"}, {"tension", "N/m"},
+    {"cross_tension", "N/m"}};
 
 std::string unit_of_field(const std::string& name) {
   for (const auto& [beginning, unit] : units)

@@ -196,47 +196,53 @@ std::vector<Instant> key_instants(const Source& source) {
 }
 
 /// Around the membranes of a frame, if they are small in the whole picture.
-std::optional<Window> membrane_window(const Snapshot& snapshot, const Scene& scene) {
+std::optional<Extent> membrane_window(const Snapshot& snapshot, const Scene& scene) {
   if (snapshot.membranes.points.empty()) return std::nullopt;
-  Window window{{1e300, 1e300}, {-1e300, -1e300}};
-  for (std::size_t i = 0; i < snapshot.membranes.points.size(); i += 3)
-    for (std::size_t a = 0; a < 2; ++a) {
-      window.lower[a] = std::min(window.lower[a], snapshot.membranes.points[i + a]);
-      window.upper[a] = std::max(window.upper[a], snapshot.membranes.points[i + a]);
-    }
+  Extent window = extent_of(snapshot.membranes.points);
   constexpr double around = 0.35, small = 0.4;
-  const double margin = around * std::max(window.width(), window.height());
-  for (std::size_t a = 0; a < 2; ++a) {
-    window.lower[a] -= margin;
-    window.upper[a] += margin;
-  }
-  const bool is_small = window.width() < small * (scene.grid.upper[0] - scene.grid.lower[0]);
+  window.widen(around * std::max({window.size(0), window.size(1), window.size(2)}));
+  const bool is_small = window.size(0) < small * (scene.grid.upper[0] - scene.grid.lower[0]);
   return is_small ? std::optional(window) : std::nullopt;
 }
 
+/// A picture of a frame and what it shows.
+struct CaptionedPicture {
+  PictureOptions options;
+  std::string caption;
+};
+
+/// Bodies and layers, in space membranes from outside; velocities near a small membrane; pressures at the end.
+std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene& scene, const Instant& instant) {
+  const std::optional<Extent> close = membrane_window(snapshot, scene);
+  const std::vector<std::string> fields = picture_fields(snapshot);  // output.fields may leave some out
+  const auto written = [&](const char* name) { return std::ranges::find(fields, name) != fields.end(); };
+  std::vector<CaptionedPicture> pictures;
+  const auto add = [&](const char* field, const std::optional<Extent>& window, const char* caption) {
+    pictures.push_back({{field, "tension", window, {}, {}, {}}, caption});
+  };
+  const bool has_particles = !snapshot.particles.points.empty();
+  if (has_particles) add("layers", {}, "bodies and layers");
+  if (scene.dimension == 3 && written("tension")) add("tension", close, "tension of the membranes");
+  if (has_particles && close && instant.time > 0 && written("velocity")) add("velocity", close, "velocity");
+  if (has_particles && instant.why == "end" && written("mean_pressure"))
+    add("mean_pressure", close, "mean pressure, compression positive");
+  return pictures;
+}
+
 std::string pictures(const Source& source) {
-  if (source.scene.dimension != 2 || !fs::exists(source.options.directory / "particles.pvd")) return "";
+  if (!fs::exists(source.options.directory / "particles.pvd")) return "";
   const std::vector<double> times = frame_times(source.options.directory);
   std::string page;
-  const auto draw = [&](const Snapshot& snapshot, const PictureOptions& options, const std::string& caption) {
-    page += embed(
-        source, ".png", [&](const fs::path& file) { draw_snapshot(source.scene, snapshot, options, file); },
-        [&](const fs::path& file) { return html::picture(file, caption); });
-  };
   std::set<std::size_t> drawn;
   for (const Instant& instant : key_instants(source)) {
     const std::size_t index = frame_near(times, instant.time);
     if (!drawn.insert(index).second) continue;
     const Snapshot snapshot = read_frame(source.options.directory, index);
     const std::string time = "t = " + figure(snapshot.t, "s") + ", " + instant.why;
-    draw(snapshot, {}, time + ": bodies and layers");
-    const std::optional<Window> close = membrane_window(snapshot, source.scene);
-    const std::vector<std::string> fields = picture_fields(snapshot);  // output.fields may leave some out
-    const auto written = [&](const char* name) { return std::ranges::find(fields, name) != fields.end(); };
-    if (close && instant.time > 0 && written("velocity"))
-      draw(snapshot, {"velocity", "tension", close, {}, {}}, time + ": velocity");
-    if (instant.why == "end" && written("mean_pressure"))
-      draw(snapshot, {"mean_pressure", "tension", close, {}, {}}, time + ": mean pressure, compression positive");
+    for (const CaptionedPicture& picture : pictures_of(snapshot, source.scene, instant))
+      page += embed(
+          source, ".png", [&](const fs::path& file) { draw_snapshot(source.scene, snapshot, picture.options, file); },
+          [&](const fs::path& file) { return html::picture(file, time + ": " + picture.caption); });
   }
   return page;
 }

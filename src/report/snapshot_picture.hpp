@@ -1,34 +1,18 @@
 // A frame of a run as a picture: particles coloured by a field or by layers, membranes by what they bear, rigid bodies.
+// In space two views side by side, see picture_views.
 #pragma once
 
 #include <geodrop/scene/scene.hpp>
 
-#include <chrono>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "files/snapshot.hpp"
-#include "raster.hpp"
+#include "picture_content.hpp"
 
 namespace geodrop {
 
-using ValueRange = std::pair<double, double>;  ///< in SI units
-
-struct PictureOptions {
-  std::string field = "layers";        ///< or "material", or of the frame: "velocity", "stress_yy", ...
-  std::string membrane = "tension";    ///< a field of membranes, or "none"
-  std::optional<Window> window;        ///< empty: all particles, membranes and rigid bodies but half-planes
-  std::optional<ValueRange> range;     ///< of the field; empty: of the frames drawn
-  std::optional<ValueRange> tensions;  ///< of the membranes' field; empty: from 0 to the largest
-};
-
-/// Fields that a frame may be coloured by.
-std::vector<std::string> picture_fields(const Snapshot& snapshot);
-
-/// Throws SceneError if the scene is not of the plane or the frame has no such field.
+/// Throws SceneError if the frame has no such field, or an option does not fit the dimension of the scene.
 void check_picture(const Scene& scene, const Snapshot& snapshot, const PictureOptions& options);
 
 /// Writes a PNG.

@@ -104,6 +104,7 @@ TEST_CASE("Values of fields by their names: lengths of vectors, components, numb
   CHECK(values_of(fields, "velocity_y").values == std::vector<double>{4, -2});
   CHECK(values_of(fields, "velocity_y").unit == "m/s");
   CHECK(values_of(fields, "density").values == std::vector<double>{1000, 1600});
+  CHECK(values_of({{"cross_tension", {}, {1}}}, "cross_tension").unit == "N/m");
 }
 
 TEST_CASE("A frame is read as it was written") {
@@ -159,6 +160,8 @@ TEST_CASE("snapshot and animate draw a run; what they cannot draw is named") {
   CHECK(field.code == 2);
   CHECK(contains(field.err, "the nearest is \"velocity\""));
   CHECK(run_program({"snapshot", directory, "--window=3,-3,5,13"}).code == 2);
+  CHECK(run_program({"snapshot", directory, "--window=-3,3,-3,3,5,13"}).code == 2);
+  CHECK(contains(run_program({"snapshot", directory, "--cut=0,0"}).err, "--cut: found a scene of the plane"));
   CHECK(run_program({"snapshot", directory + "/none"}).code == 2);
   CHECK(run_program({"animate", directory}).code == 0);
   CHECK(read_file(run.file("animation.gif")).starts_with("GIF89a"));
