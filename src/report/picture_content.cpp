@@ -10,11 +10,17 @@ namespace {
 
 bool has_triangles(const Snapshot& snapshot) { return snapshot.membranes.corners == 3; }
 
-bool is_of_membranes(const Snapshot& snapshot, const std::string& field) {
-  const auto names = [&](const std::vector<Field>& fields) {
-    return std::ranges::count(value_names(fields), field) > 0;
-  };
-  return has_triangles(snapshot) && names(snapshot.membranes.fields) && !names(snapshot.particles.fields);
+/// What has the values of a field.
+enum class Carrier { particles, membranes };
+
+bool has_values(const std::vector<Field>& fields, const std::string& name) {
+  return std::ranges::count(value_names(fields), name) > 0;
+}
+
+Carrier carrier_of(const Snapshot& snapshot, const std::string& field) {
+  const bool of_membranes = has_triangles(snapshot) && has_values(snapshot.membranes.fields, field) &&
+                            !has_values(snapshot.particles.fields, field);
+  return of_membranes ? Carrier::membranes : Carrier::particles;
 }
 
 /// Without the outermost 0.5 % of the values at either end; about zero where they have both signs.
@@ -54,12 +60,11 @@ ColourBar membrane_bar(const PictureValues& values, const std::optional<ValueRan
 }
 
 /// Of one field in each view.
-std::vector<PictureValues> values_in(const std::vector<PaintedView>& views, const std::string& field,
-                                     bool of_membranes) {
+std::vector<PictureValues> values_in(const std::vector<PaintedView>& views, const std::string& field, Carrier carrier) {
   std::vector<PictureValues> values;
   for (const PaintedView& painted : views) {
     const Snapshot& frame = painted.view.frame;
-    values.push_back(values_of(of_membranes ? frame.membranes.fields : frame.particles.fields, field));
+    values.push_back(values_of(carrier == Carrier::membranes ? frame.membranes.fields : frame.particles.fields, field));
   }
   return values;
 }
@@ -89,7 +94,7 @@ void paint_values(const std::vector<PictureValues>& values, const std::optional<
 }
 
 void paint_lines(const PictureOptions& options, PictureContent& content) {
-  std::vector<PictureValues> values = values_in(content.views, options.membrane, true);
+  std::vector<PictureValues> values = values_in(content.views, options.membrane, Carrier::membranes);
   content.membrane = membrane_bar(joined(values), options.tensions);
   for (std::size_t v = 0; v < values.size(); ++v) content.views[v].tensions = std::move(values[v].values);
 }
@@ -113,15 +118,15 @@ std::string picture_field(const Snapshot& snapshot, const PictureOptions& option
 
 PictureContent content_of(const Scene& scene, const Snapshot& snapshot, const PictureOptions& options) {
   const std::string field = picture_field(snapshot, options);
-  const bool of_membranes = is_of_membranes(snapshot, field);
+  const Carrier carrier = carrier_of(snapshot, field);
+  const Sight sight = carrier == Carrier::membranes ? Sight::outside : Sight::cut;
   PictureContent content;
-  for (View& view : views_of(scene, snapshot, of_membranes ? Sight::outside : Sight::cut, options.cut))
-    content.views.push_back({std::move(view), {}, {}});
+  for (View& view : views_of(scene, snapshot, sight, options.cut)) content.views.push_back({std::move(view), {}, {}});
   if (field == "layers" || field == "material")
     paint_categories(scene, field, content);
   else
-    paint_values(values_in(content.views, field, of_membranes), options.range, content);
-  if (!of_membranes && options.membrane != "none" && !snapshot.membranes.membrane.empty())
+    paint_values(values_in(content.views, field, carrier), options.range, content);
+  if (sight == Sight::cut && options.membrane != "none" && !snapshot.membranes.membrane.empty())
     paint_lines(options, content);
   return content;
 }

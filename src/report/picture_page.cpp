@@ -64,8 +64,7 @@ RigidLines rigid_lines(const Scene& scene, const RigidSnapshot& rigid) {
       separate += from + point_text(rigid.points, rigid.connectivity[2 * end + 1]) + "\n\n";
     }
     outline += point_text(rigid.points, rigid.connectivity[2 * end - 1]) + "\n\n";
-    const bool without_end = std::holds_alternative<HalfPlaneShape>(scene.rigid.at(rigid.rigid[first]).shape);
-    if (without_end)
+    if (is_plane_without_end(scene, rigid.rigid[first]))
       lines.open += outline;
     else if (scene.dimension == 3)
       lines.edges += separate;

@@ -12,10 +12,6 @@ namespace {
 constexpr Facing of_the_plane{{0, 1, 2}, 1, ""};
 constexpr Facing side{{0, 2, 1}, -1, "side view"}, front{{1, 2, 0}, 1, "front view"};
 
-bool is_plane_without_end(const Scene& scene, std::uint32_t rigid) {
-  return rigid < scene.rigid.size() && std::holds_alternative<HalfPlaneShape>(scene.rigid[rigid].shape);
-}
-
 /// Into the coordinates of a picture.
 void turn(std::vector<double>& points, const Facing& facing) {
   for (std::size_t i = 0; i < points.size(); i += 3) {
@@ -94,6 +90,10 @@ std::array<double, 2> middle_of(const Scene& scene, const Snapshot& snapshot) {
 }
 
 }  // namespace
+
+bool is_plane_without_end(const Scene& scene, std::uint32_t rigid) {
+  return rigid < scene.rigid.size() && std::holds_alternative<HalfPlaneShape>(scene.rigid[rigid].shape);
+}
 
 void Extent::add(const double* point) {
   for (std::size_t a = 0; a < 3; ++a) {

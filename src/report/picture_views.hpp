@@ -5,6 +5,7 @@
 #include <geodrop/scene/scene.hpp>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ Extent extent_of(const std::vector<double>& points);
 
 /// Particles, membranes and rigid bodies but half-planes, in space the domain as well; and a margin.
 Extent whole_extent(const Scene& scene, const Snapshot& snapshot);
+
+/// Whether a rigid body, by its index in the scene, is a half-plane or half-space.
+bool is_plane_without_end(const Scene& scene, std::uint32_t rigid);
 
 /// Axes of the scene to the right, upwards, and along the line of sight.
 struct Facing {
