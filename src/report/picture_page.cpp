@@ -146,17 +146,15 @@ std::string plot_text(const Scene& scene, const PaintedView& painted, const std:
                            ") format='%uchar%uchar%uchar%uchar' origin=(" + format_number(window.lower[0] + 0.5 * dx) +
                            "," + format_number(window.lower[1] + 0.5 * dy) + ") dx=" + format_number(dx) +
                            " dy=" + format_number(dy) + " using 1:2:3:4 with rgbalpha notitle";
-  const auto add = [&](const char* name, const std::string& points, const std::vector<const char*>& styles) {
+  const auto add = [&](const char* name, const std::string& points, const char* style) {
     if (points.empty()) return;
     data += std::string(name) + " << EOD\n" + points + "EOD\n";
-    for (const char* style : styles) plot += std::string(", ") + name + " using 1:2 with " + style + " notitle";
+    plot += std::string(", ") + name + " using 1:2 with " + style + " notitle";
   };
   const RigidLines rigid = rigid_lines(scene, painted.view.frame.rigid);
-  add("$closed", rigid.closed,
-      {"filledcurves closed fillstyle solid noborder linecolor rgb '#b8b8b8'",
-       "lines linewidth 1.5 linecolor rgb '#202020'"});
-  add("$open", rigid.open, {"lines linewidth 3 linecolor rgb '#202020'"});
-  add("$edges", rigid.edges, {"lines linewidth 1.2 linecolor rgb '#404040'"});
+  add("$closed", rigid.closed, "lines linewidth 1.5 linecolor rgb '#202020'");
+  add("$open", rigid.open, "lines linewidth 3 linecolor rgb '#202020'");
+  add("$edges", rigid.edges, "lines linewidth 1.2 linecolor rgb '#404040'");
   if (scene.dimension == 3) {
     data += domain_data(scene.grid, painted.view.facing);
     plot += ", $domain using 1:2 with lines linewidth 1 dashtype 2 linecolor rgb '#909090' notitle";

@@ -9,18 +9,22 @@
 namespace geodrop {
 namespace {
 
+using Ends = std::array<double, 4>;  ///< x and y of both
+
+/// Of a line of a snapshot.
+Ends ends_of(const std::vector<double>& points, const std::vector<std::uint32_t>& connectivity, std::size_t line) {
+  const double *from = &points[3 * connectivity[2 * line]], *to = &points[3 * connectivity[2 * line + 1]];
+  return {from[0], from[1], to[0], to[1]};
+}
+
 /// The inside of the closed membrane around each body; empty where there is none.
 std::vector<Mask> masks_of(const Scene& scene, const MembraneSnapshot& membranes, const Panel& panel) {
   std::vector<Mask> masks(scene.bodies.size());
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     const auto body = std::ranges::find(scene.bodies, body_inside(scene, scene.membranes[m]), &BodySpec::name);
-    std::vector<std::array<double, 4>> ends;
-    for (std::size_t s = 0; s < membranes.membrane.size(); ++s) {
-      if (membranes.membrane[s] != m) continue;
-      const double *from = &membranes.points[3 * membranes.connectivity[2 * s]],
-                   *to = &membranes.points[3 * membranes.connectivity[2 * s + 1]];
-      ends.push_back({from[0], from[1], to[0], to[1]});
-    }
+    std::vector<Ends> ends;
+    for (std::size_t s = 0; s < membranes.membrane.size(); ++s)
+      if (membranes.membrane[s] == m) ends.push_back(ends_of(membranes.points, membranes.connectivity, s));
     if (scene.membranes[m].closed && !ends.empty() && body != scene.bodies.end())
       masks[static_cast<std::size_t>(body - scene.bodies.begin())] = inside_of(ends, panel.window, panel.pixels);
   }
@@ -46,6 +50,19 @@ std::vector<Disc> discs_of(const Scene& scene, const ParticleSnapshot& particles
   return discs;
 }
 
+/// The inside of the rigid bodies of the plane. What has no end has no inside in a picture.
+void fill_rigid(const Scene& scene, const RigidSnapshot& rigid, const Panel& panel, std::string& pixels) {
+  constexpr Colour grey{0xb8, 0xb8, 0xb8};
+  if (scene.dimension == 3) return;
+  for (std::size_t first = 0, end = 0; first < rigid.rigid.size(); first = end) {
+    std::vector<Ends> ends;
+    for (; end < rigid.rigid.size() && rigid.rigid[end] == rigid.rigid[first]; ++end)
+      ends.push_back(ends_of(rigid.points, rigid.connectivity, end));
+    if (!is_plane_without_end(scene, rigid.rigid[first]))
+      fill(pixels, inside_of(ends, panel.window, panel.pixels), grey);
+  }
+}
+
 std::vector<Facet> facets_of(const MembraneSnapshot& triangles, const std::vector<Colour>& colours) {
   std::vector<Facet> facets(colours.size());
   for (std::size_t t = 0; t < facets.size(); ++t) {
@@ -63,7 +80,9 @@ std::string pixels_of(const Scene& scene, const PaintedView& painted, const Pane
   if (frame.membranes.corners == 3)
     return draw_facets(facets_of(frame.membranes, painted.colours), panel.window, panel.pixels);
   const std::vector<Mask> masks = masks_of(scene, frame.membranes, panel);
-  return draw_discs(discs_of(scene, frame.particles, painted.colours, masks), panel.window, panel.pixels);
+  std::string pixels = draw_discs(discs_of(scene, frame.particles, painted.colours, masks), panel.window, panel.pixels);
+  fill_rigid(scene, frame.rigid, panel, pixels);
+  return pixels;
 }
 
 }  // namespace geodrop

@@ -74,6 +74,14 @@ Mask inside_of(const std::vector<std::array<double, 4>>& ends, const Window& win
   return mask;
 }
 
+void fill(std::string& pixels, const Mask& mask, Colour colour) {
+  for (std::size_t pixel = 0; pixel < mask.size(); ++pixel)
+    if (mask[pixel]) {
+      paint(pixels, pixel, colour);
+      pixels[4 * pixel + 3] = '\xff';
+    }
+}
+
 std::string draw_discs(const std::vector<Disc>& discs, const Window& window, PixelSize size) {
   const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
   const double scale = size.width / window.width();  // [px/m]

@@ -28,6 +28,9 @@ using Mask = std::vector<bool>;
 /// `ends`: x and y of both ends of each piece of the lines, in any order [m]. Inside: a ray crosses an odd number.
 Mask inside_of(const std::vector<std::array<double, 4>>& ends, const Window& window, PixelSize size);
 
+/// One colour on the pixels of a mask, over what bytes as of draw_discs show.
+void fill(std::string& pixels, const Mask& mask, Colour colour);
+
 struct Disc {
   std::array<double, 2> centre{};  ///< [m]
   double radius = 0;               ///< [m]

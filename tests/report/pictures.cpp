@@ -74,6 +74,18 @@ TEST_CASE("A particle in a closed line is seen inside only, one that has got out
   CHECK(count(out, red) == near(100 * std::numbers::pi, 0.04));
 }
 
+TEST_CASE("What a closed line fills ends at the window, wherever its corners are") {
+  const Window window{{0, 0}, {10, 10}};
+  const PixelSize size{100, 100};
+  std::string pixels = draw_discs({{{5, 9.5}, 0.5, red}}, window, size);
+  // Everything below the diagonal from the lower left corner to the upper right one.
+  fill(pixels, inside_of({{{-20, -20, 30, 30}}, {{30, 30, 30, -20}}, {{30, -20, -20, -20}}}, window, size), blue);
+  CHECK(count(pixels, blue) == near(100 * 100 / 2, 0.011));
+  CHECK(pixels[4 * 99 + 3] != 0);                                  // lower right
+  CHECK(pixels[4 * static_cast<std::size_t>(99 * 100) + 3] == 0);  // upper left
+  CHECK(count(pixels, red) == near(100 * std::numbers::pi / 4, 0.1));
+}
+
 TEST_CASE("Scales of colours: their ends, their middle, and grey for no number") {
   CHECK(colour_at(ColourScale::viridis, 0) == Colour{68, 1, 84});
   CHECK(colour_at(ColourScale::viridis, 2) == Colour{253, 231, 37});
