@@ -50,18 +50,18 @@ std::string membrane_data(const MembraneSnapshot& membranes, const std::vector<d
   return text + "EOD\n";
 }
 
-/// Lines of rigid bodies: outlines to be filled, boundaries of half-planes and half-spaces, edges in space.
+/// Lines of rigid bodies: outlines, boundaries of half-planes and half-spaces, edges in space.
 struct RigidLines {
   std::string closed, open, edges;
 };
 RigidLines rigid_lines(const Scene& scene, const RigidSnapshot& rigid) {
   RigidLines lines;
-  for (std::size_t first = 0, end = 0; first < rigid.rigid.size(); first = end) {
+  for (const auto& [first, end] : lines_by_body(rigid)) {
     std::string outline, separate;
-    for (; end < rigid.rigid.size() && rigid.rigid[end] == rigid.rigid[first]; ++end) {
-      const std::string from = point_text(rigid.points, rigid.connectivity[2 * end]) + "\n";
+    for (std::size_t line = first; line < end; ++line) {
+      const std::string from = point_text(rigid.points, rigid.connectivity[2 * line]) + "\n";
       outline += from;
-      separate += from + point_text(rigid.points, rigid.connectivity[2 * end + 1]) + "\n\n";
+      separate += from + point_text(rigid.points, rigid.connectivity[2 * line + 1]) + "\n\n";
     }
     outline += point_text(rigid.points, rigid.connectivity[2 * end - 1]) + "\n\n";
     if (is_plane_without_end(scene, rigid.rigid[first]))

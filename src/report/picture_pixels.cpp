@@ -54,12 +54,11 @@ std::vector<Disc> discs_of(const Scene& scene, const ParticleSnapshot& particles
 void fill_rigid(const Scene& scene, const RigidSnapshot& rigid, const Panel& panel, std::string& pixels) {
   constexpr Colour grey{0xb8, 0xb8, 0xb8};
   if (scene.dimension == 3) return;
-  for (std::size_t first = 0, end = 0; first < rigid.rigid.size(); first = end) {
+  for (const auto& [first, end] : lines_by_body(rigid)) {
+    if (is_plane_without_end(scene, rigid.rigid[first])) continue;
     std::vector<Ends> ends;
-    for (; end < rigid.rigid.size() && rigid.rigid[end] == rigid.rigid[first]; ++end)
-      ends.push_back(ends_of(rigid.points, rigid.connectivity, end));
-    if (!is_plane_without_end(scene, rigid.rigid[first]))
-      fill(pixels, inside_of(ends, panel.window, panel.pixels), grey);
+    for (std::size_t line = first; line < end; ++line) ends.push_back(ends_of(rigid.points, rigid.connectivity, line));
+    fill(pixels, inside_of(ends, panel.window, panel.pixels), grey);
   }
 }
 

@@ -95,6 +95,15 @@ bool is_plane_without_end(const Scene& scene, std::uint32_t rigid) {
   return rigid < scene.rigid.size() && std::holds_alternative<HalfPlaneShape>(scene.rigid[rigid].shape);
 }
 
+std::vector<BodyLines> lines_by_body(const RigidSnapshot& rigid) {
+  std::vector<BodyLines> bodies;
+  for (std::size_t line = 0; line < rigid.rigid.size(); ++line) {
+    if (line == 0 || rigid.rigid[line] != rigid.rigid[line - 1]) bodies.push_back({line, line});
+    bodies.back().end = line + 1;
+  }
+  return bodies;
+}
+
 void Extent::add(const double* point) {
   for (std::size_t a = 0; a < 3; ++a) {
     lower[a] = std::min(lower[a], point[a]);

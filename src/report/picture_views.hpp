@@ -33,6 +33,12 @@ Extent whole_extent(const Scene& scene, const Snapshot& snapshot);
 /// Whether a rigid body, by its index in the scene, is a half-plane or half-space.
 bool is_plane_without_end(const Scene& scene, std::uint32_t rigid);
 
+/// The lines of one rigid body: from `first` on, before `end`.
+struct BodyLines {
+  std::size_t first = 0, end = 0;
+};
+std::vector<BodyLines> lines_by_body(const RigidSnapshot& rigid);
+
 /// Axes of the scene to the right, upwards, and along the line of sight.
 struct Facing {
   std::array<std::size_t, 3> axis;

@@ -47,6 +47,11 @@ void paint(std::string& pixels, std::size_t pixel, Colour colour) {
   pixels[4 * pixel + 2] = static_cast<char>(colour.blue);
 }
 
+void paint_opaque(std::string& pixels, std::size_t pixel, Colour colour) {
+  paint(pixels, pixel, colour);
+  pixels[4 * pixel + 3] = '\xff';
+}
+
 // Pixels whose centres lie beyond or before a place [px].
 int first_from(double at) { return static_cast<int>(std::ceil(std::max(at - 0.5, 0.0))); }
 int last_to(double at, int most) { return static_cast<int>(std::floor(std::min(at - 0.5, most - 1.0))); }
@@ -76,10 +81,7 @@ Mask inside_of(const std::vector<std::array<double, 4>>& ends, const Window& win
 
 void fill(std::string& pixels, const Mask& mask, Colour colour) {
   for (std::size_t pixel = 0; pixel < mask.size(); ++pixel)
-    if (mask[pixel]) {
-      paint(pixels, pixel, colour);
-      pixels[4 * pixel + 3] = '\xff';
-    }
+    if (mask[pixel]) paint_opaque(pixels, pixel, colour);
 }
 
 std::string draw_discs(const std::vector<Disc>& discs, const Window& window, PixelSize size) {
@@ -147,8 +149,7 @@ std::string draw_facets(const std::vector<Facet>& facets, const Window& window, 
         const std::size_t pixel = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
         if (z <= foremost[pixel]) continue;
         foremost[pixel] = z;
-        paint(pixels, pixel, facet.colour);
-        pixels[4 * pixel + 3] = '\xff';
+        paint_opaque(pixels, pixel, facet.colour);
       }
   }
   return pixels;
