@@ -4,6 +4,7 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
+find_package(fmt 9 REQUIRED)
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
 
@@ -29,4 +30,4 @@ endif()
 add_library(geodrop_packages INTERFACE)
 target_include_directories(geodrop_packages SYSTEM INTERFACE "${XXHASH_INCLUDE_DIR}")
 target_link_libraries(geodrop_packages INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX CLI11::CLI11
-                      tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json "${XXHASH_LIBRARY}" geodrop_vtk)
+                      tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json fmt::fmt "${XXHASH_LIBRARY}" geodrop_vtk)

@@ -27,53 +27,49 @@ void print_notes(const Scene& scene) {
   for (const std::string& note : scene_notes(scene)) std::cout << "note: " << note << '\n';
 }
 
-std::string problems_json(const SceneError& error) {
-  std::vector<std::string> items;
-  for (const SceneProblem& problem : error.problems())
-    items.push_back(json_record({{"line", std::to_string(problem.at.line)},
-                                 {"column", std::to_string(problem.at.column)},
-                                 {"key", json_text(problem.key)},
-                                 {"found", json_text(problem.found)},
-                                 {"allowed", json_text(problem.allowed)}}));
-  return json_array(items);
+Json json_of(const std::vector<SceneProblem>& problems) {
+  Json items = Json::array();
+  for (const SceneProblem& problem : problems)
+    items.push_back({{"line", problem.at.line},
+                     {"column", problem.at.column},
+                     {"key", problem.key},
+                     {"found", problem.found},
+                     {"allowed", problem.allowed}});
+  return items;
 }
 
 /// Mistakes, warnings and notes for other programs; the same exit codes.
 int check_for_programs(const CheckArguments& arguments) {
-  std::string problems = "[]", warnings = "[]", notes = "[]";
+  Json problems = Json::array(), warnings = Json::array(), notes = Json::array();
   int code = 0;
   try {
     const Scene scene = read_scene(arguments.scene, arguments.overrides);
     check_results(scene);
     check_first_step(scene);
-    warnings = json_texts(doubts(scene));
-    notes = json_texts(scene_notes(scene));
+    warnings = doubts(scene);
+    notes = scene_notes(scene);
   } catch (const SceneError& error) {
-    problems = problems_json(error);
+    problems = json_of(error.problems());
     code = exit_usage;
   }
-  std::cout << json_object({{"file", json_text(arguments.scene)},
-                            {"problems", problems},
-                            {"warnings", warnings},
-                            {"notes", notes}})
-            << '\n';
+  std::cout << json_text({{"file", arguments.scene}, {"problems", problems}, {"warnings", warnings}, {"notes", notes}});
   return code;
 }
 
 /// Version and, of a scene, its facts and effort.
 int info_for_programs(const CheckArguments& arguments, const BuildIdentity& build) {
-  std::vector<std::pair<std::string, std::string>> members{{"version", json_text(build.version)},
-                                                           {"compiler", json_text(build.compiler)},
-                                                           {"cores", std::to_string(omp_get_num_procs())},
-                                                           {"kernels", json_text(kernel_level_name())}};
+  Json members = {{"version", build.version},
+                  {"compiler", build.compiler},
+                  {"cores", omp_get_num_procs()},
+                  {"kernels", kernel_level_name()}};
   if (!arguments.scene.empty()) {
     const Scene scene = read_scene(arguments.scene, arguments.overrides);
-    for (const Fact& fact : scene_facts(scene)) members.emplace_back(fact.name, json_number(fact.value));
+    for (const Fact& fact : scene_facts(scene)) members[fact.name] = fact.value;
     const Effort effort = estimate_effort(scene, choose_threads(0));
-    members.emplace_back("wall_s", json_number(effort.seconds));
-    members.emplace_back("output_bytes", json_number(effort.output_bytes));
+    members["wall_s"] = effort.seconds;
+    members["output_bytes"] = effort.output_bytes;
   }
-  std::cout << json_object(members) << '\n';
+  std::cout << json_text(members);
   return 0;
 }
 

@@ -3,7 +3,8 @@
 #include <geodrop/base/error.hpp>
 #include <geodrop/reader/scene_reader.hpp>
 
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <iostream>
 #include <numeric>
@@ -102,10 +103,9 @@ int run_snapshot(const SnapshotArguments& arguments) {
       read_frame(directory, arguments.time < 0 ? times.size() - 1 : frame_near(times, arguments.time));
   PictureOptions picture = picture_of(arguments, scene);
   picture.field = picture_field(snapshot, picture);
-  std::array<char, 32> time;
-  std::snprintf(time.data(), time.size(), "_%.2f_s.png", snapshot.t);
-  const fs::path file =
-      arguments.output.empty() ? directory / ("snapshot_" + picture.field + time.data()) : fs::path(arguments.output);
+  const fs::path file = arguments.output.empty()
+                            ? directory / fmt::format("snapshot_{}_{:.2f}_s.png", picture.field, snapshot.t)
+                            : fs::path(arguments.output);
   draw_snapshot(scene, snapshot, picture, file);
   std::cout << file.string() << '\n';
   return 0;

@@ -2,10 +2,11 @@
 
 #include <geodrop/base/error.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "cell_parts.hpp"
 #include "cell_slopes.hpp"
@@ -31,10 +32,9 @@ void check_walls(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, c
     const int first = cells.first[a] + margin - GridLayout<Dim>::pad;
     const int last = first + cells.count[a] - 2 * margin - 1;
     if (first >= 1 && last <= layout.cells[a] - 1) continue;
-    std::ostringstream text;
-    text << "membrane '" << membrane.name << "' came within half a cell of a wall of the domain (axis " << a
-         << "), where a sharp interface has no room";
-    throw RunError(text.str());
+    throw RunError(fmt::format(
+        "membrane '{}' came within half a cell of a wall of the domain (axis {}), where a sharp interface has no room",
+        membrane.name, a));
   }
 }
 

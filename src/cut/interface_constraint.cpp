@@ -5,9 +5,10 @@
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "grid/momentum.hpp"
@@ -194,11 +195,12 @@ void check_tractions(State<Dim>& state) {
       if (!membrane.sharp || broken == traction.end()) continue;
       auto at = static_cast<std::size_t>(broken - traction.begin());
       if constexpr (Dim == 3) at = membrane.triangles.corner[0][at];
-      std::ostringstream text;
-      text << "a traction on the sharp membrane '" << membrane.name << "' is not finite at x =";
-      for (const Array<double>& x : membrane.x) text << ' ' << x[at];
-      text << " m, t = " << state.t << " s; a velocity or a mass at the nodes of the grid there is not";
-      throw RunError(text.str());
+      std::string place;
+      for (const Array<double>& x : membrane.x) place += fmt::format(" {:g}", x[at]);
+      throw RunError(fmt::format(
+          "a traction on the sharp membrane '{}' is not finite at x ={} m, t = {:g} s; a velocity or a mass at the "
+          "nodes of the grid there is not",
+          membrane.name, place, state.t));
     }
 }
 
@@ -283,12 +285,11 @@ void count_solution(bool converged, double t, ConstraintWatch& watch) {
   watch.in_a_row = converged ? 0 : watch.in_a_row + 1;
   watch.unsolved += converged ? 0 : 1;
   if (watch.in_a_row < most_in_a_row) return;
-  std::ostringstream text;
-  text << "the pressures on sharp membranes were not found in " << watch.in_a_row
-       << " steps in a row (conjugate gradients to 1e-8, ten active sets), t = " << t << " s; " << watch.unsolved
-       << " steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are common "
-          "causes";
-  throw RunError(text.str());
+  throw RunError(fmt::format(
+      "the pressures on sharp membranes were not found in {} steps in a row (conjugate gradients to 1e-8, ten active "
+      "sets), t = {:g} s; {} steps so far. Membrane nodes that have run into each other, or a body thinner than a "
+      "cell, are common causes",
+      watch.in_a_row, t, watch.unsolved));
 }
 
 template <int Dim>

@@ -3,10 +3,11 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 
 #include "base/text.hpp"
@@ -82,12 +83,11 @@ std::string Progress::line(double t, std::uint64_t step) const {
   const double part = (t - t_begin_) / (t_end_ - t_begin_);
   const double left = seconds_left(elapsed, part);
   const double particle_steps = static_cast<double>(step - step_begin_) * static_cast<double>(particles_);
-  std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(), "%5.1f %%  t %.4g/%.4g s  step %llu  %.1f M particles/s",
-                std::min(100.0, 100 * t / t_end_), t, t_end_, static_cast<unsigned long long>(step),
-                elapsed > 0 ? 1e-6 * particle_steps / elapsed : 0.0);
   const std::string eta = format_duration(left);
-  return text.data() + ("  ETA " + eta) + (eta == "-" ? "" : " at " + clock_time(left));
+  return fmt::format("{:5.1f} %  t {:.4g}/{:.4g} s  step {}  {:.1f} M particles/s  ETA {}{}",
+                     std::min(100.0, 100 * t / t_end_), t, t_end_, step,
+                     elapsed > 0 ? 1e-6 * particle_steps / elapsed : 0.0, eta,
+                     eta == "-" ? "" : " at " + clock_time(left));
 }
 
 }  // namespace geodrop

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <fstream>
 #include <geodrop/base/error.hpp>
 #include <string>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "base/atomic_file.hpp"
+#include "run_record.hpp"
 #include "vtk_files.hpp"
 
 namespace geodrop {
@@ -161,10 +161,8 @@ fs::path choose_directory(const Scene& scene, const fs::path& asked_for) {
 }
 
 std::optional<double> done_at(const fs::path& directory) {
-  const std::string text = text_of_file(directory / "summary.json"), time = "\"time_s\": ";
-  const std::size_t at = text.find(time);
-  if (text.find("\"status\": \"done\"") == std::string::npos || at == std::string::npos) return std::nullopt;
-  return std::strtod(text.c_str() + at + time.size(), nullptr);
+  const std::optional<RunRecord> record = find_run_record(directory);
+  return record && record->status == status_name(RunStatus::done) ? std::optional(record->run.t) : std::nullopt;
 }
 
 RunPlace take_for_new_run(const fs::path& directory, EarlierRun earlier) {

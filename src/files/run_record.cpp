@@ -2,18 +2,15 @@
 
 #include <geodrop/base/error.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <limits>
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "base/units.hpp"
 
 namespace geodrop {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Of a member that another version may not have written.
 template <class T>

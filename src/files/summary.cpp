@@ -17,41 +17,36 @@
 namespace geodrop {
 namespace {
 
-using Members = std::vector<std::pair<std::string, std::string>>;
+Json value_with_unit(double value, const std::string& unit) { return {{"value", value}, {"unit", unit}}; }
 
-std::string value_json(double value, const std::string& unit) {
-  return json_record({{"value", json_number(value)}, {"unit", json_text(unit)}});
+Json json_of(const std::vector<Result>& results) {
+  Json members = Json::object();
+  for (const Result& result : results) members[result.name] = value_with_unit(result.value, result.unit);
+  return members;
 }
 
-std::string results_json(const std::vector<Result>& results) {
-  Members members;
-  for (const Result& result : results) members.emplace_back(result.name, value_json(result.value, result.unit));
-  return json_object(members);
+Json json_of(const std::vector<Fact>& facts) {
+  Json members = Json::object();
+  for (const Fact& fact : facts) members[fact.name] = value_with_unit(fact.value, unit_of_name(fact.name));
+  return members;
 }
 
-std::string facts_json(const std::vector<Fact>& facts) {
-  Members members;
-  for (const Fact& fact : facts) members.emplace_back(fact.name, value_json(fact.value, unit_of_name(fact.name)));
-  return json_object(members);
-}
-
-std::string expectations_json(const std::vector<Expectation>& expectations) {
-  std::vector<std::string> items;
+Json json_of(const std::vector<Expectation>& expectations) {
+  Json items = Json::array();
   for (const Expectation& each : expectations)
-    items.push_back(json_record({{"name", json_text(each.result.name)},
-                                 {"value", json_number(each.result.value)},
-                                 {"expected", json_number(each.expected)},
-                                 {"tolerance", json_number(each.tolerance)},
-                                 {"source", json_text(each.source)},
-                                 {"met", each.met ? "true" : "false"}}));
-  return json_array(items);
+    items.push_back({{"name", each.result.name},
+                     {"value", each.result.value},
+                     {"expected", each.expected},
+                     {"tolerance", each.tolerance},
+                     {"source", each.source},
+                     {"met", each.met}});
+  return items;
 }
 
-std::string stages_json(const std::vector<StageTime>& stages) {
-  std::vector<std::string> items;
-  for (const StageTime& stage : stages)
-    items.push_back(json_record({{"name", json_text(stage.name)}, {"seconds", json_number(stage.seconds)}}));
-  return json_array(items);
+Json json_of(const std::vector<StageTime>& stages) {
+  Json items = Json::array();
+  for (const StageTime& stage : stages) items.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  return items;
 }
 
 /// Largest resident memory of this process so far [byte].
@@ -92,30 +87,29 @@ std::string status_name(RunStatus status) {
 std::string summary_json(const Scene& scene, const RunIdentity& run, const RunStatistics& statistics,
                          const Summary& summary) {
   const double particle_steps = static_cast<double>(statistics.steps) * static_cast<double>(run.particles);
-  return json_object({{"status", json_text(status_name(statistics.status))},
-                      {"message", json_text(statistics.message)},
-                      {"warnings", json_texts(summary.warnings)},
-                      {"started", json_text(run.started)},
-                      {"ended", json_text(run.ended)},
-                      {"host", json_text(run.host)},
-                      {"command", json_text(run.command)},
-                      {"version", json_text(this_build().version)},
-                      {"scene", json_text(scene.file)},
-                      {"title", json_text(scene.title)},
-                      {"threads", std::to_string(run.threads)},
-                      {"time_s", json_number(run.t)},
-                      {"steps", std::to_string(run.steps)},
-                      {"steps_in_this_process", std::to_string(statistics.steps)},
-                      {"particles", std::to_string(run.particles)},
-                      {"wall_s", json_number(statistics.wall_seconds)},
-                      {"particle_steps_per_s", json_number(particle_steps / statistics.wall_seconds)},
-                      {"peak_memory_bytes", json_number(peak_memory())},
-                      {"state_hash", json_text(summary.state_hash)},
-                      {"stages", stages_json(statistics.stages)},
-                      {"facts", facts_json(statistics.facts)},
-                      {"results", results_json(summary.results)},
-                      {"expectations", expectations_json(summary.expectations)}}) +
-         "\n";
+  return json_text({{"status", status_name(statistics.status)},
+                    {"message", statistics.message},
+                    {"warnings", summary.warnings},
+                    {"started", run.started},
+                    {"ended", run.ended},
+                    {"host", run.host},
+                    {"command", run.command},
+                    {"version", this_build().version},
+                    {"scene", scene.file},
+                    {"title", scene.title},
+                    {"threads", run.threads},
+                    {"time_s", run.t},
+                    {"steps", run.steps},
+                    {"steps_in_this_process", statistics.steps},
+                    {"particles", run.particles},
+                    {"wall_s", statistics.wall_seconds},
+                    {"particle_steps_per_s", particle_steps / statistics.wall_seconds},
+                    {"peak_memory_bytes", peak_memory()},
+                    {"state_hash", summary.state_hash},
+                    {"stages", json_of(statistics.stages)},
+                    {"facts", json_of(statistics.facts)},
+                    {"results", json_of(summary.results)},
+                    {"expectations", json_of(summary.expectations)}});
 }
 
 std::string stage_table(const std::vector<StageTime>& stages, double particle_steps) {

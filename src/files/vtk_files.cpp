@@ -24,9 +24,10 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstring>
 #include <geodrop/base/error.hpp>
 #include <limits>
@@ -180,9 +181,7 @@ void write_lines(vtkPolyData* lines, double t, const std::filesystem::path& path
 }  // namespace
 
 std::string frame_file_name(const std::string& kind, std::size_t index, const std::string& extension) {
-  std::array<char, 16> digits;
-  std::snprintf(digits.data(), digits.size(), "_%06zu.", index);
-  return kind + digits.data() + extension;
+  return fmt::format("{}_{:06}.{}", kind, index, extension);
 }
 
 void write_particles(const std::filesystem::path& path, const ParticleSnapshot& particles, double t,
@@ -222,13 +221,9 @@ void write_rigid(const std::filesystem::path& path, const RigidSnapshot& rigid, 
 void write_collection(const std::filesystem::path& directory, const std::string& kind, const std::string& extension,
                       const std::vector<double>& times) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    constexpr int all_digits = 17;
-    std::array<char, 32> time;
-    std::snprintf(time.data(), time.size(), "%.*g", all_digits, times[i]);
-    text += std::string("    <DataSet timestep=\"") + time.data() + "\" part=\"0\" file=\"" +
-            frame_file_name(kind, i, extension) + "\"/>\n";
-  }
+  for (std::size_t i = 0; i < times.size(); ++i)
+    text += fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", times[i],
+                        frame_file_name(kind, i, extension));
   write_file_atomically(directory / (kind + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
 }
 

@@ -5,7 +5,8 @@
 #include <geodrop/base/error.hpp>
 #include <geodrop/grid/grid.hpp>
 
-#include <sstream>
+#include <fmt/core.h>
+
 #include <string>
 
 #include "bases.hpp"
@@ -77,9 +78,7 @@ void check_on_grid(const GridLayout<Dim>& layout, const std::array<double, Dim>&
                    const std::string& name) {
   for (int a = 0; a < Dim; ++a) {
     if (x[a] >= layout.lower[a] && x[a] <= layout.upper[a]) continue;
-    std::ostringstream text;
-    text << kind << " '" << name << "' left the domain or is not finite (coordinate " << a << " = " << x[a] << ")";
-    throw RunError(text.str());
+    throw RunError(fmt::format("{} '{}' left the domain or is not finite (coordinate {} = {:g})", kind, name, a, x[a]));
   }
 }
 

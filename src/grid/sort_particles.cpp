@@ -1,9 +1,10 @@
 #include "sort_particles.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <geodrop/base/error.hpp>
 #include <numeric>
-#include <sstream>
 
 #include "blocks.hpp"
 
@@ -14,11 +15,10 @@ namespace {
 template <int Dim>
 [[noreturn]] void throw_lost(const State<Dim>& state, const Body<Dim>& body, std::size_t p, const std::string& what,
                              const std::string& hint) {
-  std::ostringstream text;
-  text << "stage sort_particles: body '" << body.name << "', particle id " << body.id[p] << ' ' << what << "x =";
-  for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
-  text << ") at t = " << state.t << " s, step " << state.step << hint;
-  throw RunError(text.str());
+  std::string place;
+  for (int a = 0; a < Dim; ++a) place += fmt::format(" {:g}", body.x[a][p]);
+  throw RunError(fmt::format("stage sort_particles: body '{}', particle id {} {}x ={}) at t = {:g} s, step {}{}",
+                             body.name, body.id[p], what, place, state.t, state.step, hint));
 }
 
 template <int Dim>
@@ -29,9 +29,8 @@ template <int Dim>
 
 template <int Dim>
 [[noreturn]] void throw_crushed(const State<Dim>& state, const Body<Dim>& body, std::size_t p) {
-  std::ostringstream what;
-  what << "has no volume left (J = " << body.J[p] << ", ";
-  throw_lost(state, body, p, what.str(), ": it was squeezed to nothing or turned inside out; see the last frame");
+  throw_lost(state, body, p, fmt::format("has no volume left (J = {:g}, ", body.J[p]),
+             ": it was squeezed to nothing or turned inside out; see the last frame");
 }
 
 /// Number of base cells along each axis when every slab is complete: keys are dense in (slab, cell of slab).
@@ -190,10 +189,10 @@ void require_inside(const State<Dim>& state, const std::string& name, const std:
   for (int a = 0; a < Dim; ++a)
     for (const double at : x[a]) {
       if (at >= layout.particle_lower[a] && at <= layout.particle_upper[a]) continue;
-      std::ostringstream text;
-      text << "a node of '" << name << "' left the domain or is not finite at t = " << state.t << " s, step "
-           << state.step << "; a smaller solver.courant often helps, see the last frame";
-      throw RunError(text.str());
+      throw RunError(fmt::format(
+          "a node of '{}' left the domain or is not finite at t = {:g} s, step {}; a smaller solver.courant often "
+          "helps, see the last frame",
+          name, state.t, state.step));
     }
 }
 

@@ -1,16 +1,13 @@
 #include "scene_schema.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <utility>
 
+#include "base/json.hpp"
 #include "key_table.hpp"
 
 namespace geodrop {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json object_of(const Section& section);
 
@@ -89,7 +86,7 @@ Json object_of(const Section& section) {
 std::string scene_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "geodrop scene"}};
   schema.update(object_of(scene_section()));
-  return schema.dump(2) + "\n";
+  return json_text(schema);
 }
 
 }  // namespace geodrop

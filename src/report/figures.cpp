@@ -1,9 +1,10 @@
 #include "figures.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/text.hpp"
 
@@ -18,11 +19,7 @@ bool takes_prefix(const std::string& unit) {
   return std::ranges::find(prefixed, first) != prefixed.end();
 }
 
-std::string decimals(double value, int count) {
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%.*f", count, value);
-  return text.data();
-}
+std::string decimals(double value, int count) { return fmt::format("{:.{}f}", value, count); }
 
 }  // namespace
 

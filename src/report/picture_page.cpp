@@ -1,8 +1,9 @@
 #include "picture_page.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "base/text.hpp"
 #include "plot/chart.hpp"
@@ -115,10 +116,9 @@ std::string legend_text(const std::vector<LegendEntry>& legend, const PictureLay
     const bool is_second = entry.name.empty();  // colour of the entry before
     if (is_second) y += line;
     const double from = x + (is_second ? square : 0);
-    std::array<char, 16> colour;
-    std::snprintf(colour.data(), colour.size(), "#%06x", static_cast<unsigned>(rgb(entry.colour)));
+    const std::string colour = fmt::format("#{:06x}", static_cast<unsigned>(rgb(entry.colour)));
     text += "set object rectangle from screen " + at.x(from) + "," + at.y(y) + " to screen " + at.x(from + square) +
-            "," + at.y(y + square) + " fillcolor rgb '" + colour.data() + "' fillstyle solid noborder\n";
+            "," + at.y(y + square) + " fillcolor rgb '" + colour + "' fillstyle solid noborder\n";
     if (!is_second)
       text += "set label " + gnuplot_text(entry.name) + " at screen " + at.x(x + 2 * square + 8) + "," +
               at.y(y + square / 2.0) + "\n";
@@ -220,9 +220,7 @@ std::string page_opening(const std::string& terminal, const PictureLayout& layou
 
 std::string page_text(const Scene& scene, double t, const PictureContent& content, const PictureLayout& layout,
                       const std::vector<fs::path>& pixels) {
-  std::array<char, 32> time;
-  std::snprintf(time.data(), time.size(), "t = %.2f s", t);
-  const std::string title = scene.title + ", " + time.data();
+  const std::string title = scene.title + fmt::format(", t = {:.2f} s", t);
   const Shares at{layout};
   std::string text = "set multiplot\n" + legend_text(content.legend, layout);
   if (content.views.size() > 1)

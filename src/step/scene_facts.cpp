@@ -9,8 +9,9 @@
 #include "solutions/initial_stress.hpp"
 #include "stable_dt.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <sstream>
 
 namespace geodrop {
 namespace {
@@ -24,11 +25,10 @@ double density_rise(const Body<Dim>& body) {
 
 template <int Dim>
 std::string stages_in(const Scene& scene) {
-  std::ostringstream text;
+  std::string text;
   for (const Row<Dim>& row : build_pipeline<Dim>(scene))
-    text << row.name << std::string(20 - std::min<std::size_t>(19, row.name.size()), ' ') << names_of(row.reads)
-         << " -> " << names_of(row.writes) << '\n';
-  return text.str();
+    text += fmt::format("{:19} {} -> {}\n", row.name, names_of(row.reads), names_of(row.writes));
+  return text;
 }
 
 }  // namespace

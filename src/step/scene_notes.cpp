@@ -5,9 +5,10 @@
 #include "pores/pores.hpp"
 #include "solutions/initial_stress.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -49,26 +50,21 @@ std::string drained_under_water(const Scene& scene, const BodySpec& body) {
   const BodySpec* open = open_fluid(scene);
   const std::string drained =
       "body \"" + body.name + "\" is drained: without pore water its effective stress includes ";
-  char more[200];
   const double tangent = std::tan(soil->friction_angle_deg * std::numbers::pi / 180);
-  const auto finish = [&](const char* format, auto... numbers) {
-    std::snprintf(more, sizeof more, format, numbers...);
-    return drained + more;
-  };
   if (!fluid && open)
-    return finish(
-        "the pressure of \"%s\" wherever it gets into it; its shear strength is higher by %.3g (tan phi) of that",
-        open->name.c_str(), tangent);
+    return drained + fmt::format(
+                         "the pressure of \"{}\" wherever it gets into it; its shear strength is higher by "
+                         "{:.3g} (tan phi) of that",
+                         open->name, tangent);
   if (!fluid) return {};
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   const double lowest = still_fluid_pressure(scene, *fluid, box.lower.back()) / 1e3;
   const double highest = still_fluid_pressure(scene, *fluid, box.upper.back()) / 1e3;
   if (lowest <= 0) return {};
-  return finish(
-      "the pressure of the \"%s\" around, %.3g kPa at its highest and %.3g kPa at its lowest point at the start; its "
-      "shear "
-      "strength is higher by %.3g (tan phi) of that",
-      fluid->fluid.c_str(), highest, lowest, tangent);
+  return drained + fmt::format(
+                       "the pressure of the \"{}\" around, {:.3g} kPa at its highest and {:.3g} kPa at its "
+                       "lowest point at the start; its shear strength is higher by {:.3g} (tan phi) of that",
+                       fluid->fluid, highest, lowest, tangent);
 }
 
 /// Soil inside a closed membrane that opens where the bag is shaken keeps that volume, and stretches the bag. It is no
@@ -104,11 +100,9 @@ std::string drainage_of(const Scene& scene, const PoreSoil& soil) {
   const Consolidation drains = consolidation(scene, soil);
   const std::string start = "coupled soil of body \"" + scene.bodies[soil.body].name + "\": ";
   if (!std::isfinite(drains.path)) return start + "walls on all sides, no water leaves";
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "c_v = %.3g m2/s, drainage over %.3g m, T_v = %.3g over the run: ", drains.coefficient, drains.path,
-                drains.time_factor);
-  return start + text + drainage_in_words(drains.time_factor);
+  return start + fmt::format("c_v = {:.3g} m2/s, drainage over {:.3g} m, T_v = {:.3g} over the run: {}",
+                             drains.coefficient, drains.path, drains.time_factor,
+                             drainage_in_words(drains.time_factor));
 }
 
 }  // namespace

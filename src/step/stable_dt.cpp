@@ -1,11 +1,12 @@
 #include "stable_dt.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <geodrop/base/error.hpp>
 #include <geodrop/base/find_named.hpp>
 #include <limits>
-#include <sstream>
 
 #include "contact/space_surface.hpp"
 #include "contact/surface_contact.hpp"
@@ -137,20 +138,21 @@ double surface_speed(const State<Dim>& state) {
 /// Says where the first velocity is that is not finite.
 template <int Dim>
 [[noreturn]] void throw_not_finite(const State<Dim>& state) {
-  std::ostringstream text;
-  text << "a velocity is not finite after step " << state.step << ", t = " << state.t << " s";
   const auto broken = [](const Body<Dim>& body, std::size_t p) {
     return std::any_of(body.v.begin(), body.v.end(), [&](const auto& v) { return !std::isfinite(v[p]); });
   };
-  for (const Body<Dim>& body : state.bodies)
-    for (std::size_t p = 0; p < body.size(); ++p)
-      if (broken(body, p)) {
-        text << ": body '" << body.name << "', particle id " << body.id[p] << " (J = " << body.J[p] << ", x =";
-        for (int a = 0; a < Dim; ++a) text << ' ' << body.x[a][p];
-        text << ')';
-        throw RunError(text.str() + "; the last frame is kept");
+  const auto first = [&]() -> std::string {
+    for (const Body<Dim>& body : state.bodies)
+      for (std::size_t p = 0; p < body.size(); ++p) {
+        if (!broken(body, p)) continue;
+        std::string place;
+        for (int a = 0; a < Dim; ++a) place += fmt::format(" {:g}", body.x[a][p]);
+        return fmt::format(": body '{}', particle id {} (J = {:g}, x ={})", body.name, body.id[p], body.J[p], place);
       }
-  throw RunError(text.str() + "; the last frame is kept");
+    return {};
+  };
+  throw RunError(fmt::format("a velocity is not finite after step {}, t = {:g} s{}; the last frame is kept", state.step,
+                             state.t, first()));
 }
 
 }  // namespace
@@ -177,10 +179,10 @@ double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLa
   dt = damped(dt, state.damping_rate);
   constexpr double smallest_share = 1e-12;  // of the simulated time: the run would never end
   if (dt < smallest_share * limits.end) {
-    std::ostringstream text;
-    text << "the time step collapsed: at " << dt << " s more than 1e12 steps are needed to time.end = " << limits.end
-         << " s (step " << state.step << ", t = " << state.t << " s, |v|max = " << state.v_max << " m/s)";
-    throw RunError(text.str());
+    throw RunError(fmt::format(
+        "the time step collapsed: at {:g} s more than 1e12 steps are needed to time.end = {:g} s (step {}, t = {:g} s, "
+        "|v|max = {:g} m/s)",
+        dt, limits.end, state.step, state.t, state.v_max));
   }
   return dt;
 }

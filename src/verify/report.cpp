@@ -4,9 +4,10 @@
 
 #include <geodrop/base/error.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace geodrop {
@@ -52,9 +53,7 @@ std::string slack_text(const VerifyRow& row) {
   const double factor = slack(row);
   if (std::isinf(factor)) return "exact";
   if (std::isnan(factor)) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, factor < 99.5 ? "%.1f" : "%.0e", factor);
-  return text;
+  return factor < 99.5 ? fmt::format("{:.1f}", factor) : fmt::format("{:.0e}", factor);
 }
 
 std::string quoted(const std::string& text) {
@@ -63,11 +62,7 @@ std::string quoted(const std::string& text) {
   return word + "\"";
 }
 
-std::string order_text(double order) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1f", order);
-  return std::isnan(order) ? "-" : text;
-}
+std::string order_text(double order) { return std::isnan(order) ? "-" : fmt::format("{:.1f}", order); }
 
 /// Bars part the cells of a table.
 std::string cell(std::string text) {
@@ -169,19 +164,15 @@ std::string list_of(const Rows& rows, const std::string& heading, Reason reason)
 }  // namespace
 
 std::string console_head() {
-  char text[200];
-  std::snprintf(text, sizeof text, "%-26s %-40s %-34s %5s %-26s %6s %7s %6s  %s", "case", "error of", "errors", "order",
-                "target (of --full)", "factor", "wall s", "Mps/s", "met");
-  return text;
+  return fmt::format("{:26} {:40} {:34} {:>5} {:26} {:>6} {:>7} {:>6}  {}", "case", "error of", "errors", "order",
+                     "target (of --full)", "factor", "wall s", "Mps/s", "met");
 }
 
 std::string console_line(const VerifyRow& row) {
-  char text[600];
-  std::snprintf(text, sizeof text, "%-26s %-40s %-34s %5s %-26s %6s %7.1f %6.2f  %s", row.scene.c_str(),
-                row.what.c_str(), joined(row.errors, "breaks").c_str(), order_text(row.order).c_str(),
-                target_text(row).c_str(), slack_text(row).c_str(), wall_of(row), judged(row).mpps(),
-                word_of(row.verdict).c_str());
-  return text + (row.control ? " (" + reference_text(row) + ")" : "");
+  return fmt::format("{:26} {:40} {:34} {:>5} {:26} {:>6} {:7.1f} {:6.2f}  {}{}", row.scene, row.what,
+                     joined(row.errors, "breaks"), order_text(row.order), target_text(row), slack_text(row),
+                     wall_of(row), judged(row).mpps(), word_of(row.verdict),
+                     row.control ? " (" + reference_text(row) + ")" : "");
 }
 
 std::string verify_totals(const Rows& rows) {

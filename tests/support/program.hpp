@@ -94,7 +94,7 @@ class SceneRun {
   std::string hash() const { return text("state_hash"); }
   /// Value of a result (or fact); NaN, which meets no bound, if there is none.
   double result(const std::string& name) const {
-    const std::string all = summary(), start = "\"" + name + "\": {\"value\": ";
+    const std::string all = summary(), start = "\"" + name + "\": {\n      \"value\": ";
     const std::size_t at = all.find(start);
     if (at == std::string::npos) return std::numeric_limits<double>::quiet_NaN();
     const std::string value = all.substr(at + start.size(), 40);
