@@ -140,6 +140,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
     sum_over_seam(grid.layout, axis, grid.cell_pressure);
     if (!grid.cell_modulus.empty()) sum_over_seam(grid.layout, axis, grid.cell_modulus);
     if (!grid.pore_modulus.empty()) sum_over_seam(grid.layout, axis, grid.pore_modulus);
+    if (!grid.pore_volume.empty()) sum_over_seam(grid.layout, axis, grid.pore_volume);
   });
   Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
   raw_fill(grid, fill);

@@ -194,7 +194,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
     case Data::mass_correction:
       return add_array(grid.mass_correction, hash);
     case Data::cell_volume:
-      return hash.add(grid.cell_volume, grid.cell_modulus, grid.pore_modulus);
+      return hash.add(grid.cell_volume, grid.cell_modulus, grid.pore_modulus, grid.pore_volume);
     case Data::cell_pressure:
       return add_array(grid.cell_pressure, hash);
     case Data::cell_flags:

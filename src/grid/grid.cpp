@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "checkerboard.hpp"
 #include "scene/needs.hpp"
 
 namespace geodrop {
@@ -181,6 +182,7 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   const bool implicit = any_body([](const BodySpec& b) { return b.implicit_pore_pressure; });
   want(grid_role::for_moduli, moduli.size() > 1 || implicit);
   want(grid_role::for_implicit, implicit);
+  want(grid_role::for_undrained, any_body([&](const BodySpec& b) { return has_checkerboard(scene, b); }));
   want(grid_role::for_nodal, any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }));
   want(grid_role::for_sharp, has_sharp_interface(scene));
   want(grid_role::for_rigid, shift && any_contact_of(scene, ContactPair::Kind::body_on_rigid));

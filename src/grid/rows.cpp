@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cell_pressure.hpp"
+#include "checkerboard.hpp"
 #include "implicit_pressure.hpp"
 #include "mass_correction.hpp"
 #include "momentum.hpp"
@@ -56,6 +57,19 @@ Row<Dim> mass_correction_row(const Scene& scene) {
 }
 
 template <int Dim>
+Row<Dim> filter_checkerboard_row(const Scene& scene) {
+  return {"filter_checkerboard",
+          Data::position | Data::cell_volume | Data::cell_pressure | Data::cell_flags | Data::cut_cells,
+          Data::volume_rate | Data::material_state,
+          std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                      [&](const BodySpec& body) { return has_checkerboard(scene, body); }),
+          [](State<Dim>& state, Grids<Dim>& grids, const StepContext& step) {
+            for (Grid<Dim>& grid : grids)
+              if (!grid.pore_volume.empty()) filter_checkerboard(state, grid, step.dt);
+          }};
+}
+
+template <int Dim>
 Row<Dim> implicit_pressure_row(const Scene& scene) {
   return {"implicit_pressure",
           Data::nodal_sums | Data::nodal_velocity | Data::velocity_change | Data::cell_volume | Data::cell_flags |
@@ -78,12 +92,13 @@ Row<Dim> volume_rate_row(const Scene& scene) {
           })};
 }
 
-#define GEODROP_INSTANTIATE(D)                            \
-  template Row<D> sort_particles_row<D>(const Scene&);    \
-  template Row<D> fold_walls_row<D>(const Scene&);        \
-  template Row<D> momentum_row<D>(const Scene&);          \
-  template Row<D> mass_correction_row<D>(const Scene&);   \
-  template Row<D> implicit_pressure_row<D>(const Scene&); \
+#define GEODROP_INSTANTIATE(D)                              \
+  template Row<D> sort_particles_row<D>(const Scene&);      \
+  template Row<D> fold_walls_row<D>(const Scene&);          \
+  template Row<D> momentum_row<D>(const Scene&);            \
+  template Row<D> mass_correction_row<D>(const Scene&);     \
+  template Row<D> filter_checkerboard_row<D>(const Scene&); \
+  template Row<D> implicit_pressure_row<D>(const Scene&);   \
   template Row<D> volume_rate_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -14,6 +14,8 @@ Row<Dim> momentum_row(const Scene& scene);
 template <int Dim>
 Row<Dim> mass_correction_row(const Scene& scene);
 template <int Dim>
+Row<Dim> filter_checkerboard_row(const Scene& scene);
+template <int Dim>
 Row<Dim> implicit_pressure_row(const Scene& scene);
 template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene);

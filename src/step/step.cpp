@@ -32,6 +32,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     cell_pressure_row<Dim>,
     interface_pressure_row<Dim>,
     even_out_volumes_row<Dim>,
+    filter_checkerboard_row<Dim>,
     seep_row,
     nodal_pressure_row<Dim>,
     enclosed_cells_row<Dim>,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chunk_laws.hpp"
+#include "grid/checkerboard.hpp"
 
 namespace geodrop {
 
@@ -11,6 +12,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   alignas(64) std::int32_t cell[chunk_size];
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
   const double implicit = !body.implicit_pores.empty() ? pore_stiffness(body.material) : 0.0;
+  const bool undrained = !grid.pore_volume.empty() && has_checkerboard(body);
   const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * explicit_modulus(body);
   double* const cell_volume = grid.cell_volume.data();
   double* const cell_pressure = grid.cell_pressure.data();
@@ -36,6 +38,8 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
     }
     if (modulus > 0)
       for (int k = 0; k < count; ++k) grid.cell_modulus[cell[k]] += modulus * volume[k];
+    if (undrained)
+      for (int k = 0; k < count; ++k) grid.pore_volume[cell[k]] += volume[k];
     if (implicit > 0)
       for (int k = 0; k < count; ++k) grid.pore_modulus[cell[k]] += implicit * volume[k];
   }

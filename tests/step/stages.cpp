@@ -52,8 +52,8 @@ TEST_CASE("Drag of a membrane is a stage where its coefficient is not 0") {
 
 TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
   CHECK(stages("cases/dump_kekerdom_mixture.toml") ==
-        Names{"sort_particles", "clear_grid", "cell_pressure", "particles_to_grid", "membranes_to_grid", "fold_walls",
-              "momentum", "volume_rate", "grid_to_particles", "grid_to_membranes"});
+        Names{"sort_particles", "clear_grid", "cell_pressure", "filter_checkerboard", "particles_to_grid",
+              "membranes_to_grid", "fold_walls", "momentum", "volume_rate", "grid_to_particles", "grid_to_membranes"});
 }
 
 TEST_CASE("A body force is a stage of its own, for manufactured solutions only") {

@@ -1,14 +1,9 @@
 // Runs the program as a user does, and reads what it leaves behind.
 #pragma once
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sys/types.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <stdexcept>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,31 +21,12 @@ struct Outcome {
 /// One run of the program in a directory of its own.
 class Program {
  public:
-  explicit Program(const std::vector<std::string>& arguments) {
-    std::vector<char*> argv;
-    std::vector<std::string> words{program_path};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const std::string out = directory_ / "out", err = directory_ / "err";
-    pid_ = fork();
-    if (pid_ != 0) return;
-    const auto redirect = [](const std::string& path, int to) { dup2(creat(path.c_str(), S_IRUSR | S_IWUSR), to); };
-    redirect(out, STDOUT_FILENO);
-    redirect(err, STDERR_FILENO);
-    execv(program_path.c_str(), argv.data());
-    _exit(127);
-  }
+  explicit Program(const std::vector<std::string>& arguments);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  void signal(int number) const { kill(pid_, number); }
-  Outcome wait() const {
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {code, read_file(directory_ / "out"), read_file(directory_ / "err")};
-  }
+  void signal(int number) const;
+  Outcome wait() const;
 
  private:
   TemporaryDirectory directory_;
@@ -76,47 +52,15 @@ class SceneRun {
   /// The same command into the same directory again, e.g. with --resume.
   const Outcome& again(const std::vector<std::string>& more) { return outcome_ = go(more); }
 
-  std::vector<std::string> arguments(const std::vector<std::string>& more) const {
-    std::vector<std::string> all{"run", scene_, "--output", directory_ / "run"};
-    for (const std::string& setting : settings_) all.insert(all.end(), {"--set", setting});
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
+  std::vector<std::string> arguments(const std::vector<std::string>& more) const;
   std::string summary() const { return read_file(file("summary.json")); }
-  /// Text of a member of the summary, without quotes.
-  std::string text(const std::string& name) const {
-    const std::string all = summary(), start = "\"" + name + "\": \"";
-    const std::size_t at = all.find(start);
-    if (at == std::string::npos) return "nothing called " + name;
-    return all.substr(at + start.size(), all.find('"', at + start.size()) - at - start.size());
-  }
+  /// A text that the summary holds, e.g. "status".
+  std::string text(const std::string& name) const;
   std::string hash() const { return text("state_hash"); }
-  /// Value of a result (or fact); NaN, which meets no bound, if there is none.
-  double result(const std::string& name) const {
-    const std::string all = summary(), start = "\"" + name + "\": {\n      \"value\": ";
-    const std::size_t at = all.find(start);
-    if (at == std::string::npos) return std::numeric_limits<double>::quiet_NaN();
-    const std::string value = all.substr(at + start.size(), 40);
-    return value.starts_with("null") ? std::numeric_limits<double>::quiet_NaN() : std::stod(value);
-  }
+  /// Value of a result, else of a fact; NaN, which meets no bound, if there is none.
+  double result(const std::string& name) const;
   /// A column of history.csv; throws if there is no such column.
-  std::vector<double> column(const std::string& name) const {
-    std::istringstream table(read_file(file("history.csv")));
-    std::string line, cell;
-    std::getline(table, line);
-    std::istringstream head(line);
-    std::size_t index = 0;
-    while (std::getline(head, cell, ',') && cell != name) ++index;
-    if (cell != name) throw std::runtime_error("no column " + name);
-    std::vector<double> values;
-    while (std::getline(table, line)) {
-      std::istringstream row(line);
-      for (std::size_t k = 0; k <= index; ++k) std::getline(row, cell, ',');
-      values.push_back(std::strtod(cell.c_str(), nullptr));
-    }
-    return values;
-  }
+  std::vector<double> column(const std::string& name) const;
 
  private:
   Outcome go(const std::vector<std::string>& more) const { return run_program(arguments(more)); }

@@ -227,7 +227,8 @@ enum : unsigned {
   for_pore_water = 16384,      ///< the fluid in their pores
   for_inertial_drag = 32768,   ///< coupled soils with Forchheimer's drag
   for_inertial_water = 65536,  ///< the fluid in their pores
-  for_implicit = 131072        ///< undrained soils whose pore pressure is found at the end of the step
+  for_implicit = 131072,       ///< undrained soils whose pore pressure is found at the end of the step
+  for_undrained = 262144       ///< undrained soils whose pore pressure follows their law
 };
 }  // namespace grid_role
 
@@ -244,6 +245,7 @@ struct GridFields {
   Array<double> cell_volume;    ///< sum of particle volumes of a cell [m3]
   Array<double> cell_modulus;   ///< sum of volume times rho c^2 of a cell, where bodies differ in rho c^2 [N m]
   Array<double> pore_modulus;   ///< sum of volume times K_f / n of a cell, where that acts implicitly [N m]
+  Array<double> pore_volume;    ///< sum of the volumes of undrained soil in a cell, pore pressure by its law [m3]
   Array<double> cell_pressure;  ///< P_c [Pa]; 0 unless filled
   Array<double> volume_rate;    ///< D_c [1/s]
   Array<std::uint8_t> cell_flags;
@@ -282,6 +284,7 @@ inline constexpr auto grid_fields = [] {
                     field<for_cells | summed>("cell_volume", "m3", &G::cell_volume),
                     field<for_moduli | summed>("cell_modulus", "N m", &G::cell_modulus),
                     field<for_implicit | summed>("pore_modulus", "N m", &G::pore_modulus),
+                    field<for_undrained | summed>("pore_volume", "m3", &G::pore_volume),
                     field<for_cells | summed>("cell_pressure", "Pa", &G::cell_pressure),
                     field<for_cells | zero_asleep>("volume_rate", "1/s", &G::volume_rate),
                     field<for_cells | zero_asleep>("cell_flags", "-", &G::cell_flags),
