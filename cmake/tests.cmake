@@ -32,3 +32,15 @@ foreach(source IN LISTS test_sources)
     ENVIRONMENT "OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive;OMP_NUM_THREADS=2"
     FAIL_REGULAR_EXPRESSION "test cases: +0 [|]")
 endforeach()
+
+# The golden hashes with the kernels of lesser processors as well; a build for one processor has no choice.
+if(NOT GEODROP_MARCH AND NOT GEODROP_SANITIZE)
+  foreach(level v2 v3)
+    add_test(NAME "golden/hashes_${level}" COMMAND geodrop_tests "--source-file=*/tests/golden/hashes.cpp")
+    set_tests_properties("golden/hashes_${level}" PROPERTIES
+      LABELS "golden"
+      TIMEOUT "${GEODROP_TEST_TIMEOUT}"
+      ENVIRONMENT "OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive;OMP_NUM_THREADS=2;GEODROP_KERNELS=x86-64-${level}"
+      FAIL_REGULAR_EXPRESSION "test cases: +0 [|]")
+  endforeach()
+endif()

@@ -12,6 +12,13 @@ std::string format_number(double value, int digits) {
   return fmt::format("{:.{}g}", value, digits);
 }
 
+std::string short_number(double value) {
+  constexpr double longest = 1e9;
+  if (std::isnan(value)) return "-";
+  const bool whole = std::abs(value) >= 1e4 && std::abs(value) < longest;
+  return whole ? format_number(std::round(value), 10) : format_number(value, 4);
+}
+
 std::string format_hash(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::string format_table(const std::vector<std::vector<std::string>>& lines, const std::string& alignment) {

@@ -10,6 +10,10 @@ namespace geodrop {
 /// Nine significant digits; "nan", "inf", "-inf" where it is none.
 std::string format_number(double value, int digits = 9);
 
+/// For tables that people read: four significant digits, and all those before the point of values below 1e9; "-" where
+/// it is no number.
+std::string short_number(double value);
+
 /// 16 hex digits.
 std::string format_hash(std::uint64_t hash);
 

@@ -28,11 +28,11 @@ constexpr std::pair<const char*, const char*> examples[] = {
      "--vary bodies.container.shape.tilt_deg=2.0:15.0"},
     {"sweep",
      "geodrop sweep my_scene.toml --vary grid.spacing=0.5,0.25,0.125 --jobs 2\n"
-     "geodrop sweep my_scene.toml --vary membranes.bag.axial_stiffness=1e5:1e7:5:log --output runs/stiffness"},
+     "geodrop sweep my_scene.toml --vary membranes.geotextile.axial_stiffness=1e5:1e7:5:log --output runs/stiffness"},
     {"plot",
      "geodrop plot runs/dump_kekerdom\n"
      "geodrop plot runs/coarse runs/fine --columns container.velocity_y_m_s,geotextile.tension_gauge_N_m\n"
-     "geodrop plot runs/stiffness --over membranes.bag.axial_stiffness --result height_m"},
+     "geodrop plot runs/stiffness --over membranes.geotextile.axial_stiffness --result height_m"},
     {"snapshot",
      "geodrop snapshot runs/dump_kekerdom --time 2.5\n"
      "geodrop snapshot runs/dump_kekerdom --field velocity --window=-4,4,-1,6 --membrane utilisation\n"

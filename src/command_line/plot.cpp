@@ -1,5 +1,7 @@
 #include "plot.hpp"
 
+#include <geodrop/base/error.hpp>
+
 #include "plot/column_chart.hpp"
 #include "plot/run_charts.hpp"
 #include "plot/sweep_chart.hpp"
@@ -75,6 +77,12 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments) {
 int run_plot(const PlotArguments& arguments) {
   if (!arguments.over.empty()) return plot_sweep(arguments);
   if (!arguments.columns.empty()) return plot_columns(arguments);
+  if (!arguments.output.empty())
+    throw SceneError("geodrop plot", {{{},
+                                       "--output " + arguments.output,
+                                       "neither --columns nor --over",
+                                       "one of them; without, the pictures of a run go to its directory",
+                                       ProblemSource::elsewhere}});
   for (const fs::path directory : arguments.directories)
     for (const NamedChart& chart : run_charts(directory))
       draw(chart.chart, directory / (chart.stem + "." + arguments.format));

@@ -21,17 +21,15 @@ namespace {
 }  // namespace
 
 std::vector<std::vector<std::string>> result_lines(const ResultList& results) {
-  constexpr int digits = 10;
   std::vector<std::vector<std::string>> lines;
   for (const ListedNumber& result : results) {
     if (!std::isfinite(result.value)) refuse(result);
-    lines.push_back({result.name, format_number(result.value, digits), result.unit});
+    lines.push_back({result.name, short_number(result.value), result.unit});
   }
   return lines;
 }
 
 std::string row_table(const std::vector<ResultList>& rows, const std::string& no_number) {
-  constexpr int digits = 6;
   std::vector<std::vector<std::string>> lines{{}, {}};
   for (const ListedNumber& result : rows.front()) {
     lines[0].push_back(result.name);
@@ -41,7 +39,7 @@ std::string row_table(const std::vector<ResultList>& rows, const std::string& no
     lines.emplace_back();
     for (const ListedNumber& result : row) {
       if (std::isinf(result.value)) refuse(result);
-      lines.back().push_back(std::isnan(result.value) ? no_number : format_number(result.value, digits));
+      lines.back().push_back(std::isnan(result.value) ? no_number : short_number(result.value));
     }
   }
   return format_table(lines, std::string(lines[0].size(), 'r'));

@@ -168,6 +168,14 @@ std::vector<std::string> doubtful_numerics(const Scene& scene) {
   if (scene.solver.blend_rate > most_rate)
     found.push_back("solver.blend_rate = " + number(scene.solver.blend_rate) +
                     " 1/s is out of all scale: 0.1 to 100 damp what the grid cannot carry, more damps the motion");
+  constexpr double farthest = 1e9;  // cells; places of particles are then exact to 1e-7 of a cell
+  for (int a = 0; a < scene.dimension; ++a) {
+    const double far = std::max(std::abs(scene.grid.lower[a]), std::abs(scene.grid.upper[a]));
+    if (far > farthest * scene.grid.spacing)
+      found.push_back("the domain is " + number(far) +
+                      " m from the origin, over 1e9 cells: places of particles are "
+                      "rounded; move it nearer");
+  }
   const double usual = scene.dimension == 2 ? usual_2d : usual_3d;
   if (scene.solver.courant > usual)
     found.push_back("solver.courant = " + number(scene.solver.courant) + " is above " + number(usual) +
@@ -190,9 +198,9 @@ std::vector<std::string> doubtful_output(const Scene& scene) {
   const double bytes = output_bytes(scene);
   const double frames = scene.time.end / scene.output.frame_interval;
   if (bytes > most_bytes)
-    found.push_back("output.frame_interval = " + number(scene.output.frame_interval) + " s: up to " + number(frames) +
+    found.push_back("output.frame_interval = " + number(scene.output.frame_interval) + " s: " + number(frames) +
                     " frames of about " + number(bytes / giga) +
-                    " GB (not more than one a step); take a longer interval" +
+                    " GB, or as many as there are steps if those are fewer; take a longer interval" +
                     (scene.output.compress ? "" : ", or output.compress = true"));
   if (scene.output.frame_interval > scene.time.end)
     found.push_back("output.frame_interval is longer than the run: frames of its start and its end only");

@@ -84,7 +84,7 @@ std::string Progress::line(double t, std::uint64_t step) const {
   const double left = seconds_left(elapsed, part);
   const double particle_steps = static_cast<double>(step - step_begin_) * static_cast<double>(particles_);
   const std::string eta = format_duration(left);
-  return fmt::format("{:5.1f} %  t {:.4g}/{:.4g} s  step {}  {:.1f} M particles/s  ETA {}{}",
+  return fmt::format("{:5.1f} %  t {:.4g}/{:.4g} s  step {}  {:.1f} M particle-steps/s  ETA {}{}",
                      std::min(100.0, 100 * t / t_end_), t, t_end_, step,
                      elapsed > 0 ? 1e-6 * particle_steps / elapsed : 0.0, eta,
                      eta == "-" ? "" : " at " + clock_time(left));

@@ -49,7 +49,7 @@ class Progress {
   /// True a few times a second.
   bool due();
   /// Particles times steps per second, ETA in hours:minutes:seconds, and the wall-clock time of the end, in 80 columns:
-  /// "42.3 %  t 2.961/7 s  step 12345  23.4 M particles/s  ETA 0:34 at 14:32:10"
+  /// "42.3 %  t 2.961/7 s  step 12345  23.4 M particle-steps/s  ETA 0:34 at 14:32:10"
   std::string line(double t, std::uint64_t step) const;
 
  private:

@@ -17,9 +17,17 @@ std::string describe_run(const Scene& scene, const RunOptions& options) {
          std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
 }
 
+namespace {
+
+/// A number of things has none.
+std::string shown_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+}  // namespace
+
 std::string facts_text(const std::vector<Fact>& facts) {
   std::vector<std::vector<std::string>> lines;
-  for (const Fact& fact : facts) lines.push_back({fact.name, format_number(fact.value, 6), unit_of_name(fact.name)});
+  for (const Fact& fact : facts)
+    lines.push_back({fact.name, short_number(fact.value), shown_unit(unit_of_name(fact.name))});
   return format_table(lines, "lrl");
 }
 

@@ -95,6 +95,8 @@ std::string summary_json(const Scene& scene, const RunIdentity& run, const RunSt
                     {"host", run.host},
                     {"command", run.command},
                     {"version", this_build().version},
+                    {"compiler", this_build().compiler},
+                    {"sums", this_build().sums},
                     {"scene", scene.file},
                     {"title", scene.title},
                     {"threads", run.threads},

@@ -75,15 +75,20 @@ double balance_error(const ResultSpec& spec, const HistoryTable& history) {
 
 bool out_of_balance(const Result& result) { return result.balance_error > most_balance_error; }
 
+std::string verdict(const Expectation& expectation) {
+  if (expectation.met) return "yes";
+  if (std::isnan(expectation.result.value)) return "NO, not reached";
+  return out_of_balance(expectation.result) ? "NO, out of balance" : "NO";
+}
+
 std::vector<std::string> expectation_cells(const Expectation& expectation) {
-  constexpr int digits = 6;
   const Result& result = expectation.result;
   return {result.name,
-          format_number(result.value, digits),
+          short_number(result.value),
           result.unit,
-          format_number(expectation.expected, digits),
-          "+-" + format_number(expectation.tolerance, digits),
-          expectation.met ? "yes" : (out_of_balance(result) ? "NO, out of balance" : "NO"),
+          short_number(expectation.expected),
+          "+-" + short_number(expectation.tolerance),
+          verdict(expectation),
           expectation.source};
 }
 
@@ -142,7 +147,7 @@ std::string results_table(const std::vector<Result>& results, const std::vector<
   for (const Result& result : results) {
     const bool shown = std::any_of(expectations.begin(), expectations.end(),
                                    [&](const Expectation& e) { return e.result.name == result.name; });
-    if (!shown) lines.push_back({result.name, format_number(result.value, 6), result.unit});
+    if (!shown) lines.push_back({result.name, short_number(result.value), result.unit});
   }
   return format_table(lines, "lrlrrll");
 }

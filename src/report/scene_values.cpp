@@ -66,6 +66,34 @@ std::string value_cell(const toml::node& node, std::string_view unit) {
          (scaled.unit.empty() || scaled.unit == "-" ? "" : " " + html::text(scaled.unit));
 }
 
+/// What a key is in a table, or is taken for where it is not written; nothing if there is neither.
+std::optional<std::string> word_of(const toml::table& table, const Section& section, const std::string& name) {
+  if (const toml::node* node = table.get(name)) return node->value_or<std::string>("");
+  for (const Key& key : section.keys)
+    if (key.name == name && key.need.how == Need::How::standard)
+      return toml::parse("x = " + std::string(key.need.text))["x"].value_or<std::string>("");
+  return {};
+}
+
+/// Whether the neighbours of a key are as its condition says, see Key::when.
+bool holds(const Key& key, const toml::table& table, const Section& section) {
+  if (key.when.empty()) return true;
+  return std::ranges::all_of(split(key.when, '&'), [&](const std::string& part) {
+    const std::vector<std::string> sides = split(part, '=');
+    const std::optional<std::string> word = word_of(table, section, sides[0]);
+    if (!word || sides.size() == 1) return word.has_value();
+    return std::ranges::count(split(sides[1], '|'), *word) > 0;
+  });
+}
+
+/// Several keys have one name: the one whose condition holds.
+bool meant(const Key& key, const toml::table& table, const Section& section) {
+  if (holds(key, table, section)) return true;
+  return std::ranges::none_of(section.keys, [&](const Key& other) {
+    return other.name == key.name && &other != &key && holds(other, table, section);
+  });
+}
+
 /// Rows of a table and of the tables below it.
 void add_rows(const toml::table& table, const Section& section, const std::string& before,
               std::vector<std::vector<std::string>>& lines) {
@@ -73,7 +101,7 @@ void add_rows(const toml::table& table, const Section& section, const std::strin
     const toml::node* node = table.get(key.name);
     const std::string name = before + std::string(key.name);
     const bool listed = std::ranges::any_of(lines, [&](const auto& line) { return line[0] == html::text(name); });
-    if (!node || key.name == "name" || listed) continue;
+    if (!node || key.name == "name" || listed || !meant(key, table, section)) continue;
     if (const toml::table* below = node->as_table(); below && key.below)
       add_rows(*below, *key.below, name + ".", lines);
     else if (!holds_tables(*node))

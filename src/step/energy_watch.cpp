@@ -22,10 +22,12 @@ double driving_work(const State<Dim>& state) {
 }
 
 [[noreturn]] void stop(double held, double budget, double t_before) {
-  const std::string holds = std::isfinite(held) ? "hold " + format_number(held, 4) + " J" : "hold more than any number";
-  throw RunError("energy grows without cause: motion and strain " + holds +
-                 ", but the start, gravity and moving bodies gave " + format_number(budget, 4) +
-                 " J; in order until t = " + format_number(t_before, 6) +
+  const auto energy = [](double joules) {
+    return std::isfinite(joules) ? format_number(joules, 4) + " J" : std::string("more than any number");
+  };
+  throw RunError("energy grows without cause: motion and strain hold " + energy(held) +
+                 ", but the start, gravity and moving bodies gave " + energy(budget) +
+                 "; in order until t = " + format_number(t_before, 6) +
                  " s, frames up to then are good. A smaller solver.courant, solver.transfer tpic or a larger "
                  "solver.blend_rate may cure it");
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int error_digits = 3;
 
-std::string short_number(double value) { return std::isnan(value) ? "-" : format_number(value, error_digits); }
+std::string error_cell(double value) { return std::isnan(value) ? "-" : format_number(value, error_digits); }
 
 std::string joined(const std::vector<double>& values, const std::string& broken) {
   std::string text;
@@ -249,7 +249,7 @@ std::string rows_markdown(const Rows& rows) {
   for (const VerifyRow& row : rows)
     table += "|" + cell(row.scene) + cell(row.what) + cell(reference_text(row)) + cell(joined_spacings(row)) +
              cell(joined(row.errors, "breaks")) + cell(order_text(row.order)) + cell(target_text(row)) +
-             cell(slack_text(row)) + cell(format_number(wall_of(row), 2)) + cell(short_number(judged(row).mpps())) +
+             cell(slack_text(row)) + cell(format_number(wall_of(row), 2)) + cell(error_cell(judged(row).mpps())) +
              verdict_cell(row.verdict) + "\n";
   const auto loose = [](const VerifyRow& row) -> std::string {
     return !is_loose(row) ? "" : row.loose.empty() ? "no reason given" : row.loose;

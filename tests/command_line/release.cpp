@@ -35,11 +35,11 @@ TEST_CASE("The worked example in water: rule, tension, terminal velocity, each w
   CHECK(outcome.err.empty());
   CHECK(line(outcome.out, "opening rule") == "opening rule met perimeter >= 2.5 (A/b0 + b0)");
   CHECK(line(outcome.out, "smallest perimeter") == "smallest perimeter 16.5 m");
-  CHECK(line(outcome.out, "best opening width") == "best opening width 3.286335345 m");
-  CHECK(line(outcome.out, "tension at opening") == "tension at opening 47199.834 N/m");
+  CHECK(line(outcome.out, "best opening width") == "best opening width 3.286 m");
+  CHECK(line(outcome.out, "tension at opening") == "tension at opening 47200 N/m");
   CHECK(line(outcome.out, "utilisation") == "utilisation 0.5 -");
   CHECK(line(outcome.out, "factor of safety") == "factor of safety 2 -");
-  CHECK(line(outcome.out, "terminal velocity") == "terminal velocity 7.883917808 m/s");
+  CHECK(line(outcome.out, "terminal velocity") == "terminal velocity 7.884 m/s");
   CHECK_FALSE(contains(outcome.out, "force of a wall"));  // no barge
   CHECK_FALSE(contains(outcome.out, "fall"));
 }
@@ -47,14 +47,14 @@ TEST_CASE("The worked example in water: rule, tension, terminal velocity, each w
 TEST_CASE("A barge in air: forces against the angle from closed to open, neutral height, fall") {
   const Outcome outcome = in_air(barge + Words{"--opening-angle", "35", "--fall-height", "8"});
   CHECK(outcome.code == 0);
-  CHECK(line(outcome.out, "opening width") == "opening width 3.212028044 m");  // 5.6 sin 35
+  CHECK(line(outcome.out, "opening width") == "opening width 3.212 m");  // 5.6 sin 35
   CHECK(line(outcome.out, "weight less buoyancy") == "weight less buoyancy 162000 N/m");
-  CHECK(line(outcome.out, "neutral height") == "neutral height 0.9211717993 m");
-  CHECK(line(outcome.out, "speed after the fall") == "speed after the fall 12.52836781 m/s");
-  CHECK(line(outcome.out, "time of the fall") == "time of the fall 1.277101714 s");
-  CHECK(line(outcome.out, "0 0 ") == "0 0 35 26789.4");
-  CHECK(line(outcome.out, "14 ") == "14 1.35476 49 51207.6");  // 81 kN/m tan(49 - 16.6992 degrees)
-  CHECK(line(outcome.out, "35 ").starts_with("35 3.21203 70 "));
+  CHECK(line(outcome.out, "neutral height") == "neutral height 0.9212 m");
+  CHECK(line(outcome.out, "speed after the fall") == "speed after the fall 12.53 m/s");
+  CHECK(line(outcome.out, "time of the fall") == "time of the fall 1.277 s");
+  CHECK(line(outcome.out, "0 0 ") == "0 0 35 26789");
+  CHECK(line(outcome.out, "14 ") == "14 1.355 49 51208");  // 81 kN/m tan(49 - 16.6992 degrees)
+  CHECK(line(outcome.out, "35 ").starts_with("35 3.212 70 "));
 }
 
 TEST_CASE("The opening may be a width, too, and is the best one if none is known") {

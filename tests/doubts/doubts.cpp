@@ -16,10 +16,14 @@ using namespace geodrop::test;
 
 namespace {
 
-std::string joined(const std::vector<std::string>& settings, const char* scene) {
+std::string joined(const Scene& scene) {
   std::string text;
-  for (const std::string& doubt : doubts(read_scene(source_path(scene), settings))) text += doubt + "\n";
+  for (const std::string& doubt : doubts(scene)) text += doubt + "\n";
   return text;
+}
+
+std::string joined(const std::vector<std::string>& settings, const char* scene) {
+  return joined(read_scene(source_path(scene), settings));
 }
 
 std::string main_case(const std::vector<std::string>& settings) {
@@ -78,6 +82,10 @@ TEST_CASE("Numbers out of scale, and output that fills the disk") {
   CHECK(contains(main_case({"output.frame_interval=1e-6"}), "frames of about"));
   CHECK(contains(main_case({"output.frame_interval=100.0"}), "longer than the run"));
   CHECK(contains(main_case({"output.history_interval=1e-6"}), "rows of history.csv"));
+  Scene far = read_scene(source_path("cases/elastic_bar.toml"));
+  far.grid.lower[0] += 1e10;
+  far.grid.upper[0] += 1e10;
+  CHECK(contains(joined(far), "m from the origin, over 1e9 cells"));
 }
 
 TEST_CASE("Unit weights and densities of the calculators") {

@@ -5,6 +5,7 @@
 
 #include "base/json.hpp"
 #include "base/text.hpp"
+#include "files/build_identity.hpp"
 #include "files/console.hpp"
 #include "files/run_directory.hpp"
 #include "support/near.hpp"
@@ -115,6 +116,8 @@ TEST_CASE("a run leaves the files that users and scripts rely on") {
   const Json json = Json::parse(read_file(directory / "run/summary.json"));
   CHECK(json.at("status") == "done");
   CHECK(json.at("threads") == 2);
+  CHECK(json.at("compiler") == geodrop::this_build().compiler);
+  CHECK(json.at("sums") == geodrop::this_build().sums);
   CHECK(json.at("steps") == 16);
   CHECK(json.at("particles") == 8);
   CHECK(json.at("wall_s") == 2);

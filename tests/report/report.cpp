@@ -91,6 +91,13 @@ TEST_CASE("report writes one page with all in it; compare tells what differs") {
         "Balance of mass and energy", "geodrop run", "Remarks of the scene"})
     CHECK_MESSAGE(contains(page, part), part);
   CHECK_FALSE(contains(page, "src=\"http"));
+  // A key that several laws have is told with the meaning that it has in its own.
+  const auto times = [&](const std::string& words) {
+    std::size_t count = 0;
+    for (std::size_t at = page.find(words); at != std::string::npos; at = page.find(words, at + 1)) ++count;
+    return count;
+  };
+  CHECK(times("of a fluid: at zero pressure") == 1);
   // Nothing is left but the page.
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     CHECK_FALSE(entry.path().filename().string().starts_with("report.html."));

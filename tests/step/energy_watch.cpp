@@ -21,14 +21,14 @@ namespace {
 const std::string drifting = "cases/verification/edge_drift.toml";
 
 /// What the watch says of a block whose energy at a later look is `factor` times that of the first; empty if nothing.
-std::string said_of(double factor) {
+std::string said_of(double factor, const Point& gravity = {0, 0}) {
   State<2> state = build_state<2>(read_scene(source_path(drifting)));
   const Point nowhere{0, 0};
   watch_energy(nowhere, 1.0, {0.01, 0.0, 0}, state);
   for (double& v : state.bodies[0].v[0]) v *= std::sqrt(factor);
   for (double& v : state.bodies[0].v[1]) v *= std::sqrt(factor);
   try {
-    watch_energy(nowhere, 1.0, {0.01, 0.5, energy_watch_interval}, state);
+    watch_energy(gravity, 1.0, {0.01, 0.5, energy_watch_interval}, state);
   } catch (const RunError& error) {
     return error.what();
   }
@@ -42,6 +42,13 @@ TEST_CASE("Half as much energy again is too much, and what is no number too") {
   CHECK(contains(said_of(1.6), "energy grows without cause"));
   CHECK(contains(said_of(1.6), "in order until t = 0.01 s"));
   CHECK(contains(said_of(std::numeric_limits<double>::quiet_NaN()), "energy grows without cause"));
+  CHECK(contains(said_of(std::numeric_limits<double>::quiet_NaN()), "strain hold more than any number, but"));
+}
+
+TEST_CASE("What is no number is said in words, of what was given too") {
+  const std::string said = said_of(std::numeric_limits<double>::quiet_NaN(), {0, -1.7e308});
+  CHECK(contains(said, "moving bodies gave more than any number"));
+  CHECK_FALSE(contains(said, "nan"));
 }
 
 TEST_CASE("A run with too large a time step ends with 1, the reason, and frames from before") {
