@@ -126,8 +126,7 @@ std::vector<double> levels_of_rows(const CutSite& cut) {
     const Bounds box = bounds(shape);
     levels.insert(levels.end(), {box.lower[1], box.upper[1]});
     if (const auto* polygon = std::get_if<PolygonShape>(&shape))
-      for (const Point& corner : polygon->points)
-        if (corner[1] > cut.site.lower[1] && corner[1] < cut.site.upper[1]) levels.push_back(corner[1]);
+      for (const Point& corner : polygon->points) levels.push_back(corner[1]);
     for (const Point& side : {cut.site.lower, cut.site.upper})
       for (const Chord& chord : chords(shape, side, 1)) levels.insert(levels.end(), {chord.from, chord.to});
   });
