@@ -36,8 +36,8 @@ void add_roughness(const Grid<Dim>& grid, int axis, int begin, int count, int fi
   std::array<CellRow<Dim>, 5> whole;  // of the cells two below to two above
   for (int m = 0; m < 5; ++m) whole[m] = whole_cells(grid, begin + (m - 2) * stride, count);
   constexpr int pad = GridLayout<Dim>::pad;
-  const int wall = grid.layout.periodic(axis) ? 1 : pad + 1;  // the first cell that has one on either side
-  const int least = wall, most = grid.layout.cells[axis] + 2 * pad - wall;
+  const int least = grid.layout.periodic(axis) ? 1 : pad + 1;  // the first cell that has one on either side
+  const int most = grid.layout.cells[axis] + 2 * pad - least;
   const double *const pressure = grid.cell_pressure.data() + begin, *const widths = grid.integrals[axis].width.data();
   for (int k = 0; k < count; ++k) {
     const int here = first + step * k;

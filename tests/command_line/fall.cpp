@@ -81,6 +81,35 @@ TEST_CASE("The ellipse may be known by perimeter and area") {
   CHECK(line(outcome.out, "semi-axis across it").starts_with("semi-axis across it 0.5077"));
 }
 
+TEST_CASE("Files have the digits that the lists leave out") {
+  const geodrop::TemporaryDirectory directory;
+  const auto table = [&](const Words& more) {
+    CHECK(kekerdom(Words{"--output", directory / "fall"} + more).code == 0);
+    return geodrop::read_csv(directory / "fall" / "fall.csv");
+  };
+  check_columns(table({"--terminal-velocity", "3.3", "--fall-height", "9.8", "--stiffness", "1e6"}),
+                {{"added_mass_ratio", 0.1526100265},
+                 {"initial_acceleration_m_s2", 3.470551246},
+                 {"width_m", 1.015396},
+                 {"drag_coefficient_ratio", 5.940770077},
+                 {"time_scale_s", 0.9508575918},
+                 {"speed_without_drag_m_s", 8.247593857},
+                 {"time_without_drag_s", 2.376450676},
+                 {"landing_speed_m_s", 3.296801569},
+                 {"landing_time_s", 3.628320321},
+                 {"kinetic_energy_J_m", 51431.97905},
+                 {"settling_energy_J_m", 109269.3756},
+                 {"stop_tension_bound_N_m", 86528.40161},
+                 {"settling_tension_bound_N_m", 152950.828}});
+  check_columns(table({"--drag-coefficient", "1.2", "--width", "6.653534", "--air", "0.17"}),
+                {{"density_with_air_kg_m3", 1353.73},
+                 {"initial_acceleration_m_s2", 2.303657368},
+                 {"terminal_velocity_m_s", 2.14762025}});
+  const geodrop::CsvTable path = geodrop::read_csv(directory / "fall" / "path.csv");
+  CHECK(path.column("way_m").back() == near(4.62362722, 1e-9));
+  CHECK(path.column("speed_m_s").back() == near(2.13699974, 1e-9));
+}
+
 TEST_CASE("--output leaves the numbers as CSV, and replaces only its own") {
   const geodrop::TemporaryDirectory directory;
   const std::string output = directory / "fall";

@@ -76,6 +76,29 @@ TEST_CASE("A table has a row for each value, both ends included") {
   CHECK_FALSE(std::filesystem::exists(directory / "tubes" / "outline.csv"));  // which of the 21?
 }
 
+TEST_CASE("Files have the digits that the lists leave out") {
+  const geodrop::TemporaryDirectory directory;
+  const auto table = [&](const Words& more) {
+    CHECK(geotube(Words{"--area", "5.56", "--output", directory / "tube"} + more).code == 0);
+    return geodrop::read_csv(directory / "tube" / "geotube.csv");
+  };
+  check_columns(table({"--strength", "120e3", "--seam-efficiency", "0.7", "--reduction-installation", "1.3",
+                       "--reduction-creep", "1.5", "--reduction-durability", "1.1"}),
+                {{"height_m", 1.811713473},
+                 {"width_m", 3.656813639},
+                 {"height_to_width_ratio", 0.4954350021},
+                 {"base_width_m", 2.522261079},
+                 {"pressure_top_Pa", 4711.894241},
+                 {"pressure_bottom_Pa", 26452.45592},
+                 {"tension_N_m", 14115.21827},
+                 {"allowable_tension_N_m", 39160.83916},
+                 {"factor_of_safety_ratio", 2.774370075},
+                 {"utilisation_ratio", 0.3604421807}});
+  check_columns(table({"--stiffness", "1e6"}), {{"height_to_width_ratio", 0.46997898}});
+  check_columns(table({"--water-level", "0.905856736504", "--water-unit-weight", "9810"}),
+                {{"height_m", 1.7853567625}, {"fill_pressure_bottom_Pa", 24229.53834}});
+}
+
 TEST_CASE("--output leaves results, outline and picture, and replaces only its own") {
   const geodrop::TemporaryDirectory directory;
   const std::string output = directory / "tube";

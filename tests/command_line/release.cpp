@@ -74,6 +74,25 @@ TEST_CASE("The opening rule is met or not, and friction may hold a container") {
   CHECK_FALSE(line(rough.out, "15 ").ends_with("friction holds"));
 }
 
+TEST_CASE("Files have the digits that the lists leave out") {
+  const geodrop::TemporaryDirectory directory;
+  const Words output{"--output", directory / "barge"};
+  CHECK(example(output +
+                Words{"--opening-width", "3", "--volume", "320", "--frontal-area", "100", "--drag-coefficient", "1"})
+            .code == 0);
+  check_columns(geodrop::read_csv(directory / "barge" / "release.csv"), {{"best_opening_width_m", 3.286335345},
+                                                                         {"opening_tension_N_m", 47199.834},
+                                                                         {"terminal_velocity_m_s", 7.883917808}});
+  CHECK(in_air(barge + output + Words{"--opening-angle", "35", "--fall-height", "8"}).code == 0);
+  check_columns(geodrop::read_csv(directory / "barge" / "release.csv"), {{"opening_width_m", 3.212028044},
+                                                                         {"neutral_height_m", 0.9211717993},
+                                                                         {"fall_speed_m_s", 12.52836781},
+                                                                         {"fall_time_s", 1.277101714}});
+  const geodrop::CsvTable forces = geodrop::read_csv(directory / "barge" / "wall_force.csv");
+  CHECK(forces.column("wall_force_N_m").at(2) == near(51207.6, 1e-6));  // 81 kN/m tan(49 - 16.6992 degrees)
+  CHECK(forces.column("opening_width_m").at(2) == near(1.35476, 5e-6));
+}
+
 TEST_CASE("--output leaves the numbers as CSV, and replaces only its own") {
   const geodrop::TemporaryDirectory directory;
   const std::string output = directory / "barge";
