@@ -2,9 +2,21 @@
 find_package(doctest REQUIRED)
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.cpp")
-add_executable(geodrop_tests ${test_sources})
+if(GEODROP_TEST_OBJECTS)
+  # Alone compiled here: what depends on the place of the program or on NDEBUG. The core comes first: of an inline function that is
+  # compiled there and here, the linker takes the one with sanitizers.
+  set(own_tests main.cpp support/paths.cpp step/written_fields.cpp)
+  list(TRANSFORM own_tests PREPEND "${PROJECT_SOURCE_DIR}/tests/")
+  add_executable(geodrop_tests ${own_tests})
+  set(compiled_tests ${test_sources})
+  list(REMOVE_ITEM compiled_tests ${own_tests})
+  list(TRANSFORM compiled_tests REPLACE "^${PROJECT_SOURCE_DIR}/(.*)$" "${GEODROP_TEST_OBJECTS}/\\1.o")
+  target_link_libraries(geodrop_tests PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,geodrop_core> ${compiled_tests} doctest::doctest)
+else()
+  add_executable(geodrop_tests ${test_sources})
+  target_link_libraries(geodrop_tests PRIVATE geodrop_core doctest::doctest)
+endif()
 target_include_directories(geodrop_tests PRIVATE tests)
-target_link_libraries(geodrop_tests PRIVATE geodrop_core doctest::doctest)
 target_compile_options(geodrop_tests PRIVATE ${GEODROP_TEST_OPTIONS})
 # What nearly every test reads is parsed once: that is half of the work.
 target_precompile_headers(geodrop_tests PRIVATE <doctest/doctest.h> <geodrop/step/pipeline.hpp> <geodrop/reader/scene_reader.hpp>)
