@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "anchor_rows.hpp"
 #include "grid/momentum.hpp"
 #include "interface_contacts.hpp"
 #include "interface_rows.hpp"
@@ -204,10 +205,37 @@ void check_tractions(State<Dim>& state) {
     }
 }
 
-/// One normal velocity, and one velocity where the fluid sticks; false if they were not found.
+/// What meets at sharp membranes, and what holds them.
 template <int Dim>
-bool join(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Contact<Dim>>& contacts,
-          Grids<Dim>& grids) {
+struct Joint {
+  std::vector<Contact<Dim>> contacts;
+  std::vector<RowsOfContact<Dim>> said;  ///< of each contact
+  std::vector<AnchorRow<Dim>> held;
+};
+
+/// Multipliers of the last step, and which may only push (lines: pull).
+template <int Dim>
+std::pair<Eigen::VectorXd, std::vector<bool>> guess(const ContactRows<Dim>& rows, const Joint<Dim>& joint,
+                                                    const Grids<Dim>& grids) {
+  Eigen::VectorXd guess(rows.list().size() + joint.held.size());
+  std::vector<bool> only_pushes;
+  Eigen::Index r = 0;
+  for (const auto& [c, says] : rows.list()) {
+    const Contact<Dim>& contact = joint.contacts[c];
+    guess[r++] = last_traction(contact, grids[contact.membrane->field].outline, says);
+    only_pushes.push_back(says == Says::normal && contact.on_bed);
+  }
+  for (const AnchorRow<Dim>& row : joint.held) {
+    guess[r++] = row.last();
+    only_pushes.push_back(row.anchor->line);
+  }
+  return {guess, only_pushes};
+}
+
+/// One normal velocity, and one velocity where the fluid sticks; anchors hold. False if they were not found.
+template <int Dim>
+bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
+  auto& [contacts, said, held] = joint;
   ContactRows<Dim> rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     contacts[c].joined = rows.add(said[c].normal, c, Says::normal);
@@ -216,21 +244,18 @@ bool join(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Co
     if constexpr (Dim == 2)
       if (contacts[c].sticks()) rows.add(along(said[c].normal), c, Says::tangent);
   }
-  Eigen::VectorXd guess(rows.list().size());
-  for (std::size_t r = 0; r < rows.list().size(); ++r) {
-    const auto [c, says] = rows.list()[r];
-    guess[r] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, says);
-  }
+  for (const AnchorRow<Dim>& anchor : held) rows.rows().add(anchor.row);
+  const auto [last, only_pushes] = guess(rows, joint, grids);
   for (const Contact<Dim>& contact : contacts) forget_tractions(*contact.membrane);
-  if (rows.list().empty()) return true;
-  std::vector<bool> only_pushes;
-  for (const auto& row : rows.list()) only_pushes.push_back(row.says == Says::normal && contacts[row.contact].on_bed);
+  if (only_pushes.empty()) return true;
   SparseRows E;
   System system = system_of(rows, E, dt);
   let_through(rows, contacts, dt, system.S);
-  const auto [traction, converged] = solve(system, only_pushes, guess);
+  add_laws(held, dt, system.S, system.rate);
+  const auto [traction, converged] = solve(system, only_pushes, last);
   apply_pressures(rows.rows(), E, traction, dt, grids);
   store(rows, traction, grids, contacts);
+  if (!held.empty()) keep_forces(held, dt, traction, Eigen::VectorXd(system.rate - system.S * traction));
   return converged;
 }
 
@@ -294,14 +319,14 @@ void count_solution(bool converged, double t, ConstraintWatch& watch) {
 
 template <int Dim>
 void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
-  std::vector<Contact<Dim>> contacts = find_contacts(state, grids);
+  Joint<Dim> joint{find_contacts(state, grids), {}, anchor_rows(state, grids)};
   std::vector<double> last;  // tractions along the membrane, before they are forgotten
   if constexpr (Dim == 2)
-    for (const Contact<2>& contact : contacts)
+    for (const Contact<2>& contact : joint.contacts)
       last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Says::tangent));
-  const std::vector<RowsOfContact<Dim>> said = rows_of(grids, contacts);
-  count_solution(join(dt, said, contacts, grids), state.t, state.constraint_watch);
-  if constexpr (Dim == 2) rub(dt, said, contacts, grids, last);
+  joint.said = rows_of(grids, joint.contacts);
+  count_solution(join(dt, joint, grids), state.t, state.constraint_watch);
+  if constexpr (Dim == 2) rub(dt, joint.said, joint.contacts, grids, last);
   check_tractions(state);
   for (Grid<Dim>& grid : grids) impose_wall_velocity(grid);
 }

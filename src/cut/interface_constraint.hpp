@@ -16,7 +16,7 @@
 // the water in its pores; at most 1/2 rho C_f u^2 in fluid that slips with the velocity u (Shear::wall_law).
 // In space the fluid slips freely, and there is no bed.
 // The membrane does not part from a fluid. From a bed it does rather than pull: p_r >= 0 there, with a gap that only
-// opens where p_r = 0.
+// opens where p_r = 0. Anchors are rows of the same system, see anchor_rows.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
@@ -25,7 +25,8 @@
 namespace geodrop {
 
 /// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
-/// Membrane::water_pressure and water_shear. Throws RunError where one of them is not finite.
+/// Membrane::water_pressure and water_shear, and force and stretch of anchors there. Throws RunError where one of them
+/// is not finite.
 template <int Dim>
 void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
 

@@ -229,6 +229,13 @@ RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::v
   return row;
 }
 
+template <int Dim>
+RawRow<Dim> make_row(const Grids<Dim>& grids, int field, const std::vector<NodeVector<Dim>>& vectors) {
+  RowInField<Dim> one(grids[field], 1, vectors);
+  const bool complete = one.add(vectors);
+  return {one.entries(), complete};
+}
+
 RawRow<2> along(RawRow<2> normal) {
   for (auto& entry : normal.entries) entry.value = {-entry.value[1], entry.value[0]};
   return normal;
@@ -341,6 +348,8 @@ template class Columns<2>;
 template class Columns<3>;
 template RawRow<2> make_row(const Grids<2>&, int, int, const std::vector<NodeVector<2>>&);
 template RawRow<3> make_row(const Grids<3>&, int, int, const std::vector<NodeVector<3>>&);
+template RawRow<2> make_row(const Grids<2>&, int, const std::vector<NodeVector<2>>&);
+template RawRow<3> make_row(const Grids<3>&, int, const std::vector<NodeVector<3>>&);
 template class Rows<2>;
 template class Rows<3>;
 template void apply_pressures(const Rows<2>&, const SparseRows&, const Eigen::VectorXd&, double, Grids<2>&);

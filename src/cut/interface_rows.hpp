@@ -96,17 +96,21 @@ struct RawRow {
     std::array<double, Dim> value;
   };
   std::vector<Entry> entries;
-  bool complete = false;  ///< both fields have mass there
+  bool complete = false;  ///< its fields have mass there
 };
 
 /// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it.
 template <int Dim>
 RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors);
 
+/// A row of one field's nodes alone.
+template <int Dim>
+RawRow<Dim> make_row(const Grids<Dim>& grids, int field, const std::vector<NodeVector<Dim>>& vectors);
+
 /// The row along an outline from the one normal to it: all vectors a quarter turn anticlockwise.
 RawRow<2> along(RawRow<2> normal);
 
-/// Builds E M^-1/2 row by row; all rows reach nodes of two fields.
+/// Builds E M^-1/2 row by row.
 template <int Dim>
 class Rows {
  public:

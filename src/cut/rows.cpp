@@ -59,8 +59,9 @@ template <int Dim>
 Row<Dim> join_interfaces_row(const Scene& scene) {
   return {"join_interfaces",
           Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth |
-              Data::pore_space,
-          Data::nodal_velocity | Data::velocity_change | Data::water_traction, has_sharp_interface(scene),
+              Data::pore_space | Data::anchors,
+          Data::nodal_velocity | Data::velocity_change | Data::water_traction | Data::anchors,
+          has_sharp_interface(scene),
           [](State<Dim>& s, Grids<Dim>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
 }
 

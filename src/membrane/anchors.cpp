@@ -51,9 +51,7 @@ class Hold {
   /// The change of its impulse [N s].
   Vec<Dim> missing(const Grid<Dim>& grid, double dt) {
     if (nodes_.empty()) return Vec<Dim>::Zero();
-    const Vec4 v4 = interpolate(grid.layout, support_, grid.velocity);
-    Vec<Dim> v;
-    for (int a = 0; a < Dim; ++a) v[a] = v4[a];
+    const Vec<Dim> v = velocity(grid);
     if (!anchor_.line) return (way_ / dt - v) / answer_;
     if (distance_ == 0) return Vec<Dim>::Zero();
     const Vec<Dim> towards = way_ / distance_;
@@ -63,6 +61,17 @@ class Hold {
     Vec<Dim> change = dt * (tension - tension_) * towards;
     tension_ = tension;
     return change;
+  }
+
+  /// The impulse that makes its node move as its force has let it, in velocities that were mapped anew.
+  Vec<Dim> astray(const Grid<Dim>& grid, double dt) const {
+    if (nodes_.empty()) return Vec<Dim>::Zero();
+    const Vec<Dim> v = velocity(grid);
+    if (!anchor_.line) return (way_ / dt - v) / answer_;
+    if (distance_ == 0 || Vec<Dim>(anchor_.force.data()).isZero(0)) return Vec<Dim>::Zero();
+    const Vec<Dim> towards = way_ / distance_;
+    const double speed = (distance_ - anchor_.length - anchor_.stretch) / dt;
+    return (speed - towards.dot(v)) / answer_ * towards;
   }
 
   void add(const Vec<Dim>& impulse, Grid<Dim>& grid) {
@@ -83,6 +92,13 @@ class Hold {
   }
 
  private:
+  Vec<Dim> velocity(const Grid<Dim>& grid) const {
+    const Vec4 v4 = interpolate(grid.layout, support_, grid.velocity);
+    Vec<Dim> v;
+    for (int a = 0; a < Dim; ++a) v[a] = v4[a];
+    return v;
+  }
+
   Anchor<Dim>& anchor_;
   PointSupport<Dim> support_;
   Vec<Dim> way_ = Vec<Dim>::Zero();  ///< to where it is held, or to the end of the line [m]
@@ -92,6 +108,34 @@ class Hold {
   Vec<Dim> impulse_ = Vec<Dim>::Zero();
   std::vector<std::pair<int, double>> nodes_;  ///< and the change of their velocity for an impulse [1/kg]
 };
+
+template <int Dim>
+std::vector<Hold<Dim>> holds_on(State<Dim>& state, const Grid<Dim>& grid) {
+  std::vector<Hold<Dim>> holds;
+  for (Anchor<Dim>& anchor : state.anchors) {
+    const Membrane<Dim>& membrane = find_named(state.membranes, anchor.membrane);
+    if (membrane.field == grid.field && !membrane.sharp) holds.emplace_back(anchor, membrane, grid);
+  }
+  return holds;
+}
+
+/// Adds the impulses f(hold), one after the other, until none changes.
+template <int Dim, class F>
+void sweep(std::vector<Hold<Dim>>& holds, Grid<Dim>& grid, double dt, F impulse_of) {
+  constexpr int most_sweeps = 100;
+  constexpr double enough = 1e-12;  // of a cell in a step
+  double largest = 0;
+  for (int sweep = 0; sweep < most_sweeps && !holds.empty(); ++sweep) {
+    largest = 0;
+    for (Hold<Dim>& hold : holds) {
+      const Vec<Dim> impulse = impulse_of(hold);
+      largest = std::max(largest, hold.speed(impulse));
+      hold.add(impulse, grid);
+    }
+    impose_wall_velocity(grid);
+    if (largest * dt <= enough * grid.layout.h) break;
+  }
+}
 
 }  // namespace
 
@@ -120,30 +164,21 @@ Anchor<Dim> make_anchor(const AnchorSpec& spec, const State<Dim>& state) {
 
 template <int Dim>
 void hold_anchors(State<Dim>& state, Grid<Dim>& grid, double dt) {
-  constexpr int most_sweeps = 100;
-  constexpr double enough = 1e-12;  // of a cell in a step
-  std::vector<Hold<Dim>> holds;
-  for (Anchor<Dim>& anchor : state.anchors) {
-    const Membrane<Dim>& membrane = find_named(state.membranes, anchor.membrane);
-    if (membrane.field == grid.field) holds.emplace_back(anchor, membrane, grid);
-  }
-  double largest = 0;
-  for (int sweep = 0; sweep < most_sweeps && !holds.empty(); ++sweep) {
-    largest = 0;
-    for (Hold<Dim>& hold : holds) {
-      const Vec<Dim> impulse = hold.missing(grid, dt);
-      largest = std::max(largest, hold.speed(impulse));
-      hold.add(impulse, grid);
-    }
-    impose_wall_velocity(grid);
-    if (largest * dt <= enough * grid.layout.h) break;
-  }
+  std::vector<Hold<Dim>> holds = holds_on(state, grid);
+  sweep(holds, grid, dt, [&](Hold<Dim>& hold) { return hold.missing(grid, dt); });
   for (Hold<Dim>& hold : holds) hold.keep_force(dt);
+}
+
+template <int Dim>
+void hold_remapped(State<Dim>& state, Grid<Dim>& grid, double dt) {
+  std::vector<Hold<Dim>> holds = holds_on(state, grid);
+  sweep(holds, grid, dt, [&](const Hold<Dim>& hold) { return hold.astray(grid, dt); });
 }
 
 #define GEODROP_INSTANTIATE(D)                                           \
   template Anchor<D> make_anchor<D>(const AnchorSpec&, const State<D>&); \
-  template void hold_anchors<D>(State<D>&, Grid<D>&, double);
+  template void hold_anchors<D>(State<D>&, Grid<D>&, double);            \
+  template void hold_remapped<D>(State<D>&, Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

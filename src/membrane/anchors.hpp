@@ -21,8 +21,14 @@ namespace geodrop {
 template <int Dim>
 Anchor<Dim> make_anchor(const AnchorSpec& spec, const State<Dim>& state);
 
-/// Of a field's membranes: changes the nodal velocity and its change, keeps force and stretch.
+/// Of a field's membranes without a sharp interface (those: cut/anchor_rows): changes the nodal velocity and its
+/// change, keeps force and stretch.
 template <int Dim>
 void hold_anchors(State<Dim>& state, Grid<Dim>& grid, double dt);
+
+/// With Transfer::musl, after velocities were mapped anew from the particles: makes the nodes move as hold_anchors
+/// found. Only positions and strains follow these velocities, so that no momentum comes from it.
+template <int Dim>
+void hold_remapped(State<Dim>& state, Grid<Dim>& grid, double dt);
 
 }  // namespace geodrop

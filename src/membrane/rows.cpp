@@ -1,5 +1,9 @@
 #include "rows.hpp"
 
+#include <geodrop/base/find_named.hpp>
+
+#include <algorithm>
+
 #include "scene/needs.hpp"
 
 #include "anchors.hpp"
@@ -10,6 +14,16 @@
 #include "surface_load.hpp"
 
 namespace geodrop {
+namespace {
+
+/// Something holds a membrane whose interface is not sharp: of those the anchors are in cut/anchor_rows.
+bool any_anchor_in_mixture(const Scene& scene) {
+  return std::any_of(scene.anchors.begin(), scene.anchors.end(), [&](const AnchorSpec& anchor) {
+    return find_named(scene.membranes, anchor.membrane).interface == Interface::mixture;
+  });
+}
+
+}  // namespace
 
 template <int Dim>
 Row<Dim> clear_loads_row(const Scene& scene) {
@@ -36,15 +50,15 @@ Row<2> still_fluids_row(const Scene& scene) {
 }
 
 Row<2> even_out_nodes_row(const Scene& scene) {
-  return {"even_out_nodes", Data::membranes | Data::membrane_position,
+  return {"even_out_nodes", Data::anchors | Data::membranes | Data::membrane_position,
           Data::membrane_position | Data::membrane_velocity | Data::membrane_cloth | Data::largest_motion,
           any_membrane_slides(scene), [](State<2>& s, const Grids<2>&, const StepContext&) { even_out_membranes(s); }};
 }
 
 Row<2> slide_membranes_row(const Scene& scene) {
   return {"slide_membranes",
-          Data::membranes | Data::membrane_position | Data::membrane_load | Data::water_traction | Data::position |
-              Data::mass | Data::volume_ratio | Data::stress,
+          Data::anchors | Data::membranes | Data::membrane_position | Data::membrane_load | Data::water_traction |
+              Data::position | Data::mass | Data::volume_ratio | Data::stress,
           Data::membrane_cloth | Data::membrane_velocity, any_membrane_slides(scene),
           [slide = MembraneSlide({scene.gravity[0], scene.gravity[1]})](
               State<2>& s, const Grids<2>& f, const StepContext&) mutable { slide.slide(s, f.front().layout); }};
@@ -63,8 +77,16 @@ Row<Dim> membranes_to_grid_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> anchors_row(const Scene& scene) {
   return {"anchors", Data::anchors | Data::membranes | Data::membrane_position | Data::nodal_sums,
-          Data::nodal_velocity | Data::velocity_change | Data::anchors, !scene.anchors.empty(),
+          Data::nodal_velocity | Data::velocity_change | Data::anchors, any_anchor_in_mixture(scene),
           each_field<Dim>([](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { hold_anchors(s, g, step.dt); })};
+}
+
+template <int Dim>
+Row<Dim> hold_remapped_row(const Scene& scene) {
+  return {"hold_remapped", Data::anchors | Data::membranes | Data::membrane_position | Data::nodal_sums,
+          Data::nodal_velocity | Data::velocity_change,
+          scene.solver.transfer == Transfer::musl && any_anchor_in_mixture(scene),
+          each_field<Dim>([](State<Dim>& s, Grid<Dim>& g, const StepContext& step) { hold_remapped(s, g, step.dt); })};
 }
 
 template <int Dim>
@@ -87,6 +109,7 @@ Row<Dim> grid_to_tracers_row(const Scene& scene) {
   template Row<D> clear_loads_row<D>(const Scene&);       \
   template Row<D> membranes_to_grid_row<D>(const Scene&); \
   template Row<D> anchors_row<D>(const Scene&);           \
+  template Row<D> hold_remapped_row<D>(const Scene&);     \
   template Row<D> grid_to_membranes_row<D>(const Scene&); \
   template Row<D> grid_to_tracers_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)

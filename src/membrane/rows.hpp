@@ -16,6 +16,8 @@ Row<Dim> membranes_to_grid_row(const Scene& scene);
 template <int Dim>
 Row<Dim> anchors_row(const Scene& scene);
 template <int Dim>
+Row<Dim> hold_remapped_row(const Scene& scene);
+template <int Dim>
 Row<Dim> grid_to_membranes_row(const Scene& scene);
 template <int Dim>
 Row<Dim> grid_to_tracers_row(const Scene& scene);

@@ -70,6 +70,34 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
   }
 }
 
+void MembraneSlide::slide(Cloth& cloth, double contents_friction) {
+  if (contents_friction > 0)
+    solver_.solve(cloth);
+  else
+    slide_freely(cloth);
+}
+
+/// Each part of the line is an open line of its own.
+void MembraneSlide::slide_between(const std::vector<LinePart>& parts, double contents_friction) {
+  using Values = std::vector<double> Cloth::*;
+  constexpr std::array<Values, 3> of_segments{&Cloth::length, &Cloth::rest, &Cloth::tension};
+  constexpr std::array<Values, 3> of_nodes{&Cloth::friction, &Cloth::drag, &Cloth::load};
+  part_.stiffness = cloth_.stiffness;
+  for (const auto& [first, count] : parts) {
+    if (count == 1) continue;
+    const auto segment = [&, first = first](std::size_t s) { return (first + s) % cloth_.segments(); };
+    const auto node = [&, first = first](std::size_t k) { return (first + k) % cloth_.nodes(); };
+    part_.resize(count, false);
+    for (const Values values : of_segments)
+      for (std::size_t s = 0; s < count; ++s) (part_.*values)[s] = (cloth_.*values)[segment(s)];
+    for (const Values values : of_nodes)
+      for (std::size_t k = 0; k <= count; ++k) (part_.*values)[k] = (cloth_.*values)[node(k)];
+    slide(part_, contents_friction);
+    for (std::size_t s = 0; s < count; ++s) cloth_.rest[segment(s)] = part_.rest[s];
+    for (std::size_t k = 0; k <= count; ++k) cloth_.passed[node(k)] = part_.passed[k];
+  }
+}
+
 /// Mass follows the rest length that passes; momentum goes with it, from the nodes that it leaves: the exact mean of
 /// the cloth that lies at a node then, each node's with its velocity.
 void MembraneSlide::move_mass(Membrane<2>& membrane) {
@@ -103,10 +131,12 @@ void MembraneSlide::slide(const State<2>& state, const GridLayout<2>& layout, Me
       cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;
       cloth_.drag[k] = drag_share * membrane.axial_stiffness / length;
     }
-    solver_.solve(cloth_);
-  } else {
-    slide_freely(cloth_);
   }
+  const std::vector<std::size_t> held = held_nodes(state, membrane);
+  if (held.empty())
+    slide(cloth_, membrane.contents_friction);
+  else
+    slide_between(parts_between(held, membrane), membrane.contents_friction);
   move_mass(membrane);
 }
 

@@ -5,14 +5,15 @@
 #include <geodrop/state/state.hpp>
 
 #include "contents_pressure.hpp"
+#include "held_nodes.hpp"
 #include "slide.hpp"
 
 namespace geodrop {
 
 /// Cloth without inertia in balance at each step (slide.hpp): tension, the friction mu p' of the soil inside and the
 /// loads and the friction of rough contacts, of the bed and of its own weight (or the weight would drive the fluid
-/// inside round and round). Over a fluid (mu = 0) the exact tension without friction. Keeps its arrays from one step to
-/// the next; all that lasts is in the membranes.
+/// inside round and round). Over a fluid (mu = 0) the exact tension without friction. Nothing passes anchors. Keeps its
+/// arrays from one step to the next; all that lasts is in the membranes.
 class MembraneSlide {
  public:
   explicit MembraneSlide(const std::array<double, 2>& gravity) : gravity_(gravity) {}
@@ -23,10 +24,12 @@ class MembraneSlide {
  private:
   void slide(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane);
   void gather(const State<2>& state, const Membrane<2>& membrane);
+  void slide(Cloth& cloth, double contents_friction);
+  void slide_between(const std::vector<LinePart>& parts, double contents_friction);
   void move_mass(Membrane<2>& membrane);
 
   std::array<double, 2> gravity_;  ///< [m/s2]
-  Cloth cloth_;
+  Cloth cloth_, part_;
   ClothSlide solver_;
   ContentsPressure pressure_;
   std::array<std::vector<double>, 2> momentum_;

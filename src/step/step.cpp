@@ -62,6 +62,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     fill_other_sides_row<Dim>,
     out_of_balance_row<Dim>,
     remap_velocity_row<Dim>,
+    hold_remapped_row<Dim>,
     volume_rate_row<Dim>,
     pore_rate_row<Dim>,
     interface_rate_row<Dim>,

@@ -236,6 +236,62 @@ TEST_CASE("Evening out keeps the ends of an open line, and its straight parts to
   CHECK_FALSE(is_uneven(cloth));
 }
 
+TEST_CASE("Nothing slides where an anchor grips the cloth; beyond, over water, one tension from grip to grip") {
+  for (const double friction : {0.0, 0.3}) {
+    CAPTURE(friction);
+    constexpr std::size_t nodes = 40, grip = 6;  // 1.5 cells of four segments
+    State<2> state = sand_under_cloth(0, 0);
+    Membrane<2>& cloth = state.membranes[0] = circle(nodes, 1.0);
+    cloth.contents_friction = friction;
+    cloth.half_size = 0.125;
+    Anchor<2> anchor;
+    anchor.membrane = cloth.name;
+    anchor.node = 37;  // grips the nodes from 31 to 3, round the end of the line
+    state.anchors = {anchor};
+    Random random;
+    for (double& rest : cloth.rest_length) rest *= random.uniform(0.97, 0.99);
+    const Array<double> before = cloth.rest_length;
+    MembraneSlide({0, 0}).slide(state, layout_of_quarter_metres());
+    update_tension(cloth);
+    for (std::size_t k = 0; k < 2 * grip; ++k) {
+      const std::size_t s = (anchor.node - grip + k) % nodes;
+      CHECK(cloth.rest_length[s] == before[s]);
+    }
+    CHECK(sum(cloth.rest_length) == near(sum(before), 1e-13));
+    const double tension = cloth.tension[10];
+    CHECK(tension == near(0.02 * stiffness, 0.2));
+    for (std::size_t s = 3; s < 31; ++s) CHECK(cloth.tension[s] == near(tension, 1e-6));
+    CHECK(std::abs(cloth.tension[35] / tension - 1) > 1e-3);
+  }
+}
+
+TEST_CASE("Evening out leaves held nodes and the rest length between them, and rounds no kink off") {
+  // A square of 4 m with nodes that have drifted along its sides; two of its corners are held.
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k < 40; ++k) {
+    const double way = 0.1 * (k % 10), x = k < 10 ? way : k < 20 ? 1 : k < 30 ? 1 - way : 0;
+    points.push_back({x, k < 10 ? 0 : k < 20 ? way : k < 30 ? 1 : 1 - way});
+  }
+  Membrane<2> cloth = line_through(points, true);
+  const std::vector<std::size_t> held{10, 30};
+  for (const std::size_t k : {11, 12, 13, 14}) cloth.x[1][k] *= 0.3;
+  REQUIRE(is_uneven(cloth, held));
+  const Membrane<2> old = cloth;
+  even_out_nodes(cloth, held);
+  CHECK_FALSE(is_uneven(cloth, held));
+  const auto part = [](const Array<double>& values) {
+    return std::accumulate(values.begin() + 10, values.begin() + 30, 0.0);
+  };
+  for (const std::size_t k : held)
+    for (int a = 0; a < 2; ++a) CHECK(cloth.x[a][k] == within(old.x[a][k], 1e-15));
+  CHECK(part(cloth.rest_length) == near(part(old.rest_length), 1e-14));
+  CHECK(sum(cloth.rest_length) == near(sum(old.rest_length), 1e-14));
+  CHECK(signed_area(cloth.x[0], cloth.x[1]) == near(signed_area(old.x[0], old.x[1]), 1e-14));
+  // The sides that meet at a held corner stay straight up to it.
+  CHECK(std::abs(cloth.x[1][9] - cloth.x[1][8]) < 1e-3);
+  CHECK(std::abs(cloth.x[0][11] - cloth.x[0][12]) < 1e-3);
+}
+
 TEST_CASE("The gauge: means over 0.2 m and 10 ms, whatever the steps; a shorter burst counts by its time") {
   for (const double dt : {3e-4, 7e-4, 2.5e-3}) {
     CAPTURE(dt);

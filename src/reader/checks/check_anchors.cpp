@@ -11,7 +11,6 @@
 #include <set>
 
 #include "membrane/membrane_nodes.hpp"
-#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {
@@ -68,16 +67,6 @@ void check_anchors(const Scene& scene, Report& report) {
     if (!report.healthy(key + ".membrane") ||
         !check_reference(key + ".membrane", anchor.membrane, names_of(scene.membranes), "membranes", report))
       continue;
-    if (find_named(scene.membranes, anchor.membrane).interface == Interface::sharp)
-      report.add(key + ".membrane", '"' + anchor.membrane + "\" with interface = \"sharp\"",
-                 "a membrane with interface = \"mixture\"");
-    // Cloth that slid on both sides of a held node: tension 7 to 28 % off, and a bag of water broke.
-    if (report.healthy(key) && report.healthy("membranes") && report.healthy("bodies") && report.healthy("materials") &&
-        slides(scene, find_named(scene.membranes, anchor.membrane)))
-      report.add(key + ".membrane", '"' + anchor.membrane + "\", which slides over its contents",
-                 "a membrane with contents_friction = inf");
-    if (report.healthy("solver.transfer") && scene.solver.transfer == Transfer::musl)
-      report.add(key, "an anchor with solver.transfer = \"musl\"", "tpic or blend");
     constexpr const char* needed[] = {"membranes", "bodies", "grid", "dimension", "materials"};
     if (!report.healthy(key) ||
         !std::all_of(std::begin(needed), std::end(needed), [&](const char* part) { return report.healthy(part); }))

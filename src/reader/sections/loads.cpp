@@ -32,10 +32,10 @@ SectionOf<AnchorSpec> anchors_section() {
       "[[anchors]]", "name",
       "Points at which membranes hang: a node that is held where it is drawn, or that hangs on an elastic line "
       "without mass. history.csv has the force of each on the membrane, `force_x_N_m`, `force_y_N_m` and its size "
-      "`pull_N_m` (in space `_N`), and `length_m` of a line. A membrane that hangs is glued to its contents "
-      "(`contents_friction = inf`).", {
+      "`pull_N_m` (in space `_N`), and `length_m` of a line. Cloth that slides over its contents does not slide within "
+      "1.5 cells of an anchor along its line, as if a strap of that width were sewn on.", {
       key("name", &AnchorSpec::name, required, identifier, "heads the anchor's columns in history.csv"),
-      key("membrane", &AnchorSpec::membrane, required, reference, "the membrane that hangs on it, with interface = \"mixture\""),
+      key("membrane", &AnchorSpec::membrane, required, reference, "the membrane that hangs on it"),
       key("at", &AnchorSpec::point, "m", required, any, "a point of the membrane as drawn, two cells or more from the sides of the domain; its nearest node is the one"),
       key("type", &AnchorSpec::by, {{"held", HeldSpec{}}, {"line", AnchorLineSpec{}}}, required, "held: the node stays where it is drawn; line: a line from the node to a fixed point bears tension when it is longer than at rest"),
       key("to", &AnchorLineSpec::to, "m", required, any, "the fixed end of the line; it may be outside of the domain").only("type=line"),
