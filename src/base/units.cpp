@@ -1,5 +1,6 @@
 #include "units.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace geodrop {
@@ -34,6 +35,13 @@ std::string unit_of_name(const std::string& name) {
 std::string unit_ending(const std::string& name) {
   const Ending* const found = find_ending(name);
   return found ? std::string(found->ending) : std::string();
+}
+
+std::string in_words(std::string name) {
+  if (!name.ends_with("_r_squared")) name.resize(name.size() - unit_ending(name).size());
+  std::ranges::replace_if(
+      name, [](char c) { return c == '_' || c == '.'; }, ' ');
+  return name;
 }
 
 }  // namespace geodrop

@@ -12,4 +12,7 @@ std::string unit_of_name(const std::string& name);
 /// The ending of a name that is its unit, "_m_s" of `fall_velocity_max_m_s`; empty if the name ends in no known unit.
 std::string unit_ending(const std::string& name);
 
+/// "container.velocity_y_m_s" as "container velocity y", "stress_r_squared" as "stress r squared".
+std::string in_words(std::string name);
+
 }  // namespace geodrop

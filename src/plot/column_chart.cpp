@@ -27,14 +27,6 @@ std::string label(const std::string& quantity, const std::string& unit) {
   return quantity + " [" + (unit.empty() ? "-" : unit == "1" ? "-" : unit) + "]";
 }
 
-/// "container.velocity_y_m_s" as "container velocity y".
-std::string in_words(std::string column) {
-  column.resize(column.size() - unit_ending(column).size());
-  std::ranges::replace_if(
-      column, [](char c) { return c == '_' || c == '.'; }, ' ');
-  return column;
-}
-
 /// The panel of a unit, made when it is first asked for.
 ChartPanel& panel_of(Chart& chart, const std::string& unit, const std::string& x_label) {
   const std::string y_label = label("value", unit);

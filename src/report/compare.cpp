@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "base/figures.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
-#include "figures.hpp"
 #include "files/run_record.hpp"
 #include "scene_values.hpp"
 

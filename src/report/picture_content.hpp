@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/figures.hpp"
 #include "colours.hpp"
-#include "figures.hpp"
 #include "picture_values.hpp"
 #include "picture_views.hpp"
 

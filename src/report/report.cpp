@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "base/atomic_file.hpp"
+#include "base/figures.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "design_check.hpp"
-#include "figures.hpp"
 #include "files/read_frames.hpp"
 #include "files/run_record.hpp"
 #include "html.hpp"
@@ -41,13 +41,6 @@ struct Source {
 
 std::string section(const std::string& heading, const std::string& content) {
   return content.empty() ? "" : "<h2>" + heading + "</h2>\n" + content;
-}
-
-/// "fall_velocity_max_m_s" as "fall velocity max".
-std::string in_words(std::string name) {
-  if (!name.ends_with("_r_squared")) name.resize(name.size() - unit_ending(name).size());
-  std::ranges::replace(name, '_', ' ');
-  return name;
 }
 
 std::string yes_or_no(bool yes) { return yes ? "<span class=\"yes\">yes</span>" : "<span class=\"no\">no</span>"; }

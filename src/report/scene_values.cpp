@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/figures.hpp"
 #include "base/text.hpp"
-#include "figures.hpp"
 #include "html.hpp"
 #include "keys/plain_values.hpp"
 #include "reader/key_table.hpp"

@@ -1,7 +1,6 @@
 // Pictures of frames: pixels of particles, colours, numbers with few digits, frames read back.
 #include "files/frame_writer.hpp"
 #include "files/read_frames.hpp"
-#include "report/figures.hpp"
 #include "report/picture_values.hpp"
 #include "report/raster.hpp"
 #include "support/near.hpp"
@@ -92,20 +91,6 @@ TEST_CASE("Scales of colours: their ends, their middle, and grey for no number")
   CHECK(colour_at(ColourScale::difference, 0.5) == Colour{221, 221, 221});
   CHECK(colour_at(ColourScale::viridis, std::nan("")) == Colour{160, 160, 160});
   CHECK(rgb({1, 2, 3}) == 0x010203U);
-}
-
-TEST_CASE("Numbers as they are handed in") {
-  CHECK(figure(1.811713473, "m") == "1.81 m");
-  CHECK(figure(14115.21827, "N/m") == "14.1 kN/m");
-  CHECK(figure(26487, "Pa") == "26.5 kPa");
-  CHECK(figure(2.13e9, "Pa") == "2130 MPa");
-  CHECK(figure(0.0385991, "s") == "0.0386 s");
-  CHECK(figure(-5.62864e-08, "degree") == "0 degree");
-  CHECK(figure(995.6, "kg/m3") == "996 kg/m3");
-  CHECK(figure(0.96, "1") == "0.960");
-  CHECK(figure(12345, "1") == "12345");
-  CHECK(figure(std::nan(""), "m") == "-");
-  CHECK(figure(120, "N") == "120 N");
 }
 
 TEST_CASE("Values of fields by their names: lengths of vectors, components, numbers") {
