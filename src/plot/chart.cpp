@@ -119,13 +119,14 @@ std::string gnuplot_script(const Chart& chart, const fs::path& file) {
   const int rows = std::max(1, (panels + columns - 1) / columns);
   const std::string size = std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
   const std::string terminal = file.string().ends_with(".png") ? "pngcairo" : "svg";
+  std::string title = gnuplot_text(chart.title);
+  for (const std::string& note : chart.notes) title += ".\"\\n\"." + gnuplot_text(note);
   // Five digits along x, where numbers stand side by side.
   std::string text = "set encoding utf8\nset terminal " + terminal + " noenhanced size " + size +
                      " font 'sans,12' background rgb 'white'\nset output " + gnuplot_text(file.string()) +
-                     "\nset grid linetype 1 linewidth 0.5 linecolor rgb '#d0d0d0'\nset key below samplen "
+                     "\nset grid linetype 1 linewidth 0.5 linecolor rgb '#d0d0d0'\nset key below Left reverse samplen "
                      "2\nset format x '% .5g'\nset multiplot layout " +
-                     std::to_string(rows) + "," + std::to_string(columns) + " title " + gnuplot_text(chart.title) +
-                     "\n";
+                     std::to_string(rows) + "," + std::to_string(columns) + " title " + title + "\n";
   for (std::size_t p = 0; p < chart.panels.size(); ++p) text += panel_text(chart.panels[p], p);
   return text + "unset multiplot\nunset output\n";
 }

@@ -31,7 +31,8 @@ struct ChartPanel {
 struct Chart {
   std::string title;
   std::vector<ChartPanel> panels;
-  int columns = 1;  ///< panels side by side
+  int columns = 1;                   ///< panels side by side
+  std::vector<std::string> notes{};  ///< lines below the title
 };
 
 /// What gnuplot is told; `file` ends in .svg or .png.

@@ -3,6 +3,7 @@
 #include "base/nearest_name.hpp"
 #include "base/units.hpp"
 #include "csv_table.hpp"
+#include "panel_unit.hpp"
 #include "run_charts.hpp"
 
 #include <geodrop/base/error.hpp>
@@ -72,7 +73,11 @@ Chart column_chart(const ColumnChartOptions& options) {
                                table.column(column), SeriesStyle::dashed});
     }
   }
-  for (ChartPanel& panel : chart.panels) name_by_run(panel);
+  for (ChartPanel& panel : chart.panels) {
+    name_by_run(panel);
+    const std::size_t unit = panel.y_label.find(" [");
+    set_y_unit(panel, panel.y_label.substr(0, unit), panel.y_label.substr(unit + 2, panel.y_label.size() - unit - 3));
+  }
   chart.columns = chart.panels.size() > 1 ? 2 : 1;
   return chart;
 }

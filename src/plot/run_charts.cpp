@@ -1,74 +1,28 @@
-// history.csv to one picture with a panel for each kind of column, each geotube probe to one beside the exact tube,
-// each section probe to one against the angle of what opens.
+// history.csv to one picture, each geotube probe to one beside the exact tube, each section probe to one against the
+// angle of what opens.
 #include "run_charts.hpp"
 
-#include "csv_table.hpp"
+#include "files/run_record.hpp"
+#include "history_chart.hpp"
 #include "keys/plain_values.hpp"
+#include "panel_unit.hpp"
+#include "reference_lines.hpp"
 
 #include <geodrop/base/error.hpp>
 #include <geodrop/base/input_file.hpp>
+#include <geodrop/reader/scene_reader.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace geodrop {
 namespace {
 
-enum class Measure { value, change };  ///< as it is, or since the first row
-
-/// The columns that a panel shows: their names begin so and end in one of these, the unit stripped in the legend.
-struct Kind {
-  std::string title, y_label, unit, beginning;
-  std::vector<std::string> endings;
-  Measure measure;
-};
-
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
-      {"Position", "position [m]", "_m", "", {".position_x_m", ".position_y_m", ".position_z_m"}, Measure::value},
-      {"Velocity",
-       "velocity [m/s]",
-       "_m_s",
-       "",
-       {".velocity_x_m_s", ".velocity_y_m_s", ".velocity_z_m_s"},
-       Measure::value},
-      {"Membrane tension", "tension [N/m]", "_N_m", "", {".tension_max_N_m", ".tension_mean_N_m"}, Measure::value},
-      // Of a deep basin all would be flat lines beside its potential energy.
-      {"Energy since the start", "change of energy [J]", "_J", "energy.", {"_J"}, Measure::change}};
-  return all;
-}
-
-bool shows(const Kind& kind, const std::string& column) {
-  return column.starts_with(kind.beginning) &&
-         std::any_of(kind.endings.begin(), kind.endings.end(),
-                     [&](const std::string& ending) { return column.ends_with(ending); });
-}
-
-ChartSeries make_series(const CsvTable& table, const std::string& name, const Kind& kind) {
-  const std::size_t begin = kind.beginning.size();
-  ChartSeries series{name.substr(begin, name.size() - kind.unit.size() - begin), table.column("time_s"),
-                     table.column(name)};
-  if (kind.measure == Measure::value) return series;
-  const double first = series.y.front();
-  for (double& value : series.y) value -= first;
-  return series;
-}
-
-/// A panel for every kind that the run has columns of.
-Chart history_chart(const CsvTable& table, const std::string& title) {
-  Chart chart{title, {}, 2};
-  for (const Kind& kind : kinds()) {
-    ChartPanel panel{kind.title, "time [s]", kind.y_label, {}};
-    for (const std::string& name : table.names)
-      if (shows(kind, name)) panel.series.push_back(make_series(table, name, kind));
-    if (!panel.series.empty()) chart.panels.push_back(panel);
-  }
-  return chart;
-}
-
 /// Simulated and exact outline, pressure against height, tension along the membrane of the geotube of one probe.
-Chart geotube_chart(const std::filesystem::path& directory, const std::string& stem) {
+Chart geotube_chart(const std::filesystem::path& directory, const std::string& stem, const std::string& title) {
   const auto table = [&](const std::string& which) { return read_csv(directory / (stem + "_" + which + ".csv")); };
   const auto along_membrane = [](const CsvTable& outline) {  // lengths
     std::vector<double> s{0.0};
@@ -78,8 +32,8 @@ Chart geotube_chart(const std::filesystem::path& directory, const std::string& s
   };
   const CsvTable outline = table("outline"), pressure = table("pressure");
   ChartPanel shape{"Outline", "x [m]", "y [m]", {}, Aspect::equal};
-  ChartPanel pressures{"Pressure of the fill", "pressure [Pa]", "y [m]", {}};
-  ChartPanel tension{"Tension", "along the membrane [m]", "tension [N/m]", {}};
+  ChartPanel pressures{"Pressure of the fill", "", "y [m]", {}};
+  ChartPanel tension{"Tension", "along the membrane [m]", "", {}};
   shape.series.push_back({"simulated", outline.column("x_m"), outline.column("y_m")});
   pressures.series.push_back(
       {"particles", pressure.column("pressure_Pa"), pressure.column("height_m"), SeriesStyle::points});
@@ -90,7 +44,9 @@ Chart geotube_chart(const std::filesystem::path& directory, const std::string& s
     pressures.series.push_back({"exact", exact.column("pressure_Pa"), exact.column("y_m"), SeriesStyle::dashed});
     tension.series.push_back({"exact", along_membrane(exact), exact.column("tension_N_m"), SeriesStyle::dashed});
   }
-  return {directory.string(), {shape, pressures, tension}, 2};
+  set_x_unit(pressures, "pressure", "Pa");
+  set_y_unit(tension, "tension", "N/m");
+  return {title, {shape, pressures, tension}, 2};
 }
 
 /// What the geotube probes of a run have left, as "geotube_PROBE".
@@ -162,7 +118,8 @@ std::string barge_of(const CsvTable& table, const std::string& probe, const std:
 }
 
 /// Force of the soil, of the geotextile, and their difference, which the walls bear.
-Chart section_chart(const CsvTable& table, const std::string& probe, const std::string& rigid) {
+Chart section_chart(const CsvTable& table, const std::string& probe, const std::string& rigid,
+                    const std::string& title) {
   const std::vector<double>& angle = table.column(rigid + rotation_ending);
   ChartSeries soil{"soil", {}, {}}, geotextile{"geotextile", {}, {}}, difference{"difference", {}, {}};
   difference.style = SeriesStyle::dashed;
@@ -172,10 +129,10 @@ Chart section_chart(const CsvTable& table, const std::string& probe, const std::
     geotextile.y.push_back(table.column(probe + ".membrane_force_N_m")[i]);
     difference.y.push_back(soil.y.back() - geotextile.y.back());
   }
-  return {
-      "Section " + probe,
-      {{"Forces across the section", "angle of " + rigid + " [deg]", "force [N/m]", {soil, geotextile, difference}}},
-      1};
+  ChartPanel panel{
+      "Forces across the section " + probe, "angle of " + rigid + " [deg]", "", {soil, geotextile, difference}};
+  set_y_unit(panel, "force", "N/m");
+  return {title, {panel}, 1};
 }
 
 /// Probes of which both forces were recorded.
@@ -185,6 +142,22 @@ std::vector<std::string> section_probes(const CsvTable& table) {
     return std::count(table.names.begin(), table.names.end(), probe + ".membrane_force_N_m") == 0;
   });
   return probes;
+}
+
+/// What the scene of a run tells of its charts; a history alone has its directory for a title.
+struct About {
+  std::string title;
+  std::vector<ReferenceLine> references;
+};
+About about_run(const std::filesystem::path& directory, const TensionStrength& factors) {
+  const std::filesystem::path file = directory / "scene.toml";
+  if (!std::filesystem::exists(file)) return {directory.string(), {}};
+  const Scene scene = read_scene(file);
+  const std::optional<RunRecord> record = find_run_record(directory);
+  const auto time_of = [&](const std::string& result) {
+    return record ? record->result(result) : std::numeric_limits<double>::quiet_NaN();
+  };
+  return {scene.title, reference_lines(scene, factors, time_of)};
 }
 
 }  // namespace
@@ -200,10 +173,11 @@ CsvTable read_history(const std::filesystem::path& directory) {
   return table;
 }
 
-std::vector<NamedChart> run_charts(const std::filesystem::path& directory) {
+std::vector<NamedChart> run_charts(const std::filesystem::path& directory, const TensionStrength& factors) {
   const CsvTable table = read_history(directory);
   std::vector<NamedChart> charts;
-  const Chart chart = history_chart(table, directory.string());
+  const About about = about_run(directory, factors);
+  const Chart chart = history_chart(table, about.title, about.references);
   const std::vector<std::string> rigids = most_turned(table);
   const std::vector<std::string> probes = rigids.empty() ? std::vector<std::string>{} : section_probes(table);
   const auto refuse = [&](const std::string& found) {
@@ -214,8 +188,9 @@ std::vector<NamedChart> run_charts(const std::filesystem::path& directory) {
     if (!is_identifier(probe)) refuse("a probe named \"" + probe + '"');
   if (!chart.panels.empty()) charts.push_back({"history", chart});
   for (const std::string& probe : probes)
-    charts.push_back({"section_" + probe, section_chart(table, probe, barge_of(table, probe, rigids))});
-  for (const std::string& stem : geotube_stems(directory)) charts.push_back({stem, geotube_chart(directory, stem)});
+    charts.push_back({"section_" + probe, section_chart(table, probe, barge_of(table, probe, rigids), about.title)});
+  for (const std::string& stem : geotube_stems(directory))
+    charts.push_back({stem, geotube_chart(directory, stem, about.title)});
   return charts;
 }
 

@@ -26,11 +26,14 @@ TEST_CASE("plot draws position, velocity, tension and energy of a run, and follo
   CHECK(outcome.err.empty());
   CHECK(contains(outcome.out, "history.svg"));
   const std::string svg = geodrop::read_file(run.file("history.svg"));
-  for (const char* text : {"Position", "Velocity", "Membrane tension", "Energy since the start", "container.velocity_y",
-                           "geotextile.tension_max", "geotextile.tension_mean", "kinetic", "velocity [m/s]"})
+  for (const char* text :
+       {"Position", "Velocity", "Membrane tension", "Energy since the start", "container.velocity_y",
+        "geotextile.tension_max", "geotextile.tension_mean", "kinetic", "velocity [m/s]", "tension [kN/m]",
+        "change of energy [kJ]", "Geocontainer dumped in water as one mixture", "centre above bed expected, 1.00 m",
+        "velocity_y of bed; membrane energy", "strength of geotextile, 120 kN/m"})
     CHECK(contains(svg, text));
-  // Three bodies in two directions, twice; two tensions; six energies.
-  CHECK(count(svg, "<title>gnuplot_plot_") == 6 + 6 + 2 + 6);
+  // Water and container downwards, twice, and where it is expected; three tensions; energies but that of the membrane.
+  CHECK(count(svg, "<title>gnuplot_plot_") == 2 + 1 + 2 + 3 + 5);
 
   CHECK(run_program({"plot", directory, "--format", "png"}).code == 0);
   CHECK(geodrop::read_file(run.file("history.png")).starts_with("\x89PNG"));
@@ -84,12 +87,12 @@ TEST_CASE("plot draws section forces and their difference against the angle of t
   CHECK(outcome.code == 0);
   CHECK(contains(outcome.out, "section_middle.svg"));
   const std::string svg = geodrop::read_file(directory / "section_middle.svg");
-  for (const char* text : {"soil", "geotextile", "difference", "angle of port [deg]", "force [N/m]", "> 20<"})
+  for (const char* text : {"soil", "geotextile", "difference", "angle of port [deg]", "force [kN/m]", "> 20<"})
     CHECK(contains(svg, text));
   CHECK(count(svg, "<title>gnuplot_plot_") == 3);
-  CHECK(contains(svg, "> 40000<"));  // the highest tick: not the 77000 before, nor the 88000 after
-  for (const char* more : {"> 45000<", "> 50000<"}) CHECK_FALSE(contains(svg, more));  // as the sum of forces
-  CHECK_FALSE(contains(svg, "> 90<"));                                                 // of a body of particles
+  CHECK(contains(svg, "> 40<"));  // the highest tick: not the 77 kN/m before, nor the 88 after
+  for (const char* more : {"> 45<", "> 50<"}) CHECK_FALSE(contains(svg, more));  // as the sum of forces
+  CHECK_FALSE(contains(svg, "> 90<"));                                           // of a body of particles
   CHECK_FALSE(contains(svg, "-20<"));
 }
 
