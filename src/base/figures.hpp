@@ -16,10 +16,11 @@ struct Scaled {
 Scaled scaled_unit(const std::string& unit, double largest);
 
 /// "1.81 m", "14.1 kN/m", "26.5 kPa", "12" without unit; "-" for what is no number. Three digits; what is nothing
-/// beside the precision of the unit (1e-3 degree, 1e-6 else) is 0.
-std::string figure(double value, const std::string& unit);
+/// beside the precision of the unit (1e-3 degree, 1e-6 else) is 0, and what is round-off beside a `size` in SI units,
+/// for instance the domain's for a place in it.
+std::string figure(double value, const std::string& unit, double size = 0);
 
 /// The number alone, in the unit of `scaled`.
-std::string figure(double value, const Scaled& scaled);
+std::string figure(double value, const Scaled& scaled, double size = 0);
 
 }  // namespace geodrop

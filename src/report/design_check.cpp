@@ -1,5 +1,8 @@
 #include "design_check.hpp"
 
+#include <geodrop/base/find_named.hpp>
+#include <geodrop/geometry/shapes.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +13,38 @@ bool has(const CsvTable& table, const std::string& column) {
   return std::ranges::find(table.names, column) != table.names.end();
 }
 
+bool is_enclosed(const Scene& scene, const BodySpec& body) {
+  return std::ranges::any_of(scene.membranes,
+                             [&](const MembraneSpec& each) { return each.closed && each.body == body.name; });
+}
+
+bool is_bed(const Scene& scene, const std::string& bed, const BodySpec& body) {
+  if (!bed.empty()) return body.name == bed;
+  const MaterialSpec* const material = find_or_null(scene.materials, body.material);
+  return material && !std::holds_alternative<NewtonianSpec>(material->model) && !is_enclosed(scene, body);
+}
+
+/// The upper end of a body in the column at x, below what is cut out of its top.
+std::optional<double> top_at(const Scene& scene, const BodySpec& body, double x) {
+  const auto column = [&](const Shape& shape) { return chords(shape, {x, 0}, 1); };
+  const std::vector<Chord> own = column(body.shape);
+  if (own.empty()) return std::nullopt;
+  double top = own.back().to;
+  for (const std::string& name : body.minus)
+    if (const BodySpec* const other = find_or_null(scene.bodies, name))
+      for (const Chord& cut : column(other->shape))
+        if (cut.from < top && top <= cut.to) top = cut.from;
+  return top;
+}
+
 }  // namespace
+
+std::optional<double> bed_surface(const Scene& scene, const std::string& bed, double x) {
+  std::optional<double> surface;
+  for (const BodySpec& body : scene.bodies)
+    if (is_bed(scene, bed, body)) surface = std::max(surface, top_at(scene, body, x));  // nothing is below all else
+  return surface;
+}
 
 std::vector<PeakTension> peak_tensions(const Scene& scene, const CsvTable& history) {
   std::vector<PeakTension> peaks;
@@ -43,6 +77,8 @@ std::vector<RestingPlace> resting_places(const Scene& scene, const CsvTable& his
     places.push_back({body, history.column("time_s").back(), last(".position_x_m"), last(".position_y_m"),
                       std::hypot(last(".velocity_x_m_s"), last(".velocity_y_m_s")), last(".rotation_deg"),
                       last(".height_m"), last(".width_m"), last(".lowest_m")});
+    if (const std::optional<double> surface = bed_surface(scene, membrane.bed, places.back().x))
+      places.back().burial = *surface - places.back().lowest;
   }
   return places;
 }

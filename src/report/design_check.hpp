@@ -34,7 +34,15 @@ struct RestingPlace {
   double time = 0;                                         ///< of the row [s]
   double x = 0, y = 0, speed = 0;                          ///< of the centre [m], [m/s]
   double tilt_deg = 0, height = 0, width = 0, lowest = 0;  ///< [degree], [m]
+  /// Depth of the lowest point below the surface that the bed had at the start there; negative: above it [m]. Nothing
+  /// without a bed.
+  std::optional<double> burial{};
 };
+
+/// Height of the surface of the bed at the start at a place x of the plane [m]: of `bed`, or where that is empty of the
+/// highest soil that no membrane encloses. Nothing if there is none.
+std::optional<double> bed_surface(const Scene& scene, const std::string& bed, double x);
+
 std::vector<RestingPlace> resting_places(const Scene& scene, const CsvTable& history);
 
 }  // namespace geodrop

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "scene/needs.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -38,25 +40,50 @@ constexpr std::array soils = {Base{{214, 178, 112}, {150, 106, 58}}, Base{{176, 
                               Base{{206, 150, 126}, {160, 98, 76}}, Base{{190, 190, 120}, {140, 140, 76}}};
 constexpr std::array others = {Base{{190, 184, 204}, {146, 138, 168}}, Base{{178, 200, 178}, {128, 156, 128}}};
 
-/// By the material's kind, and its number among those of its kind.
+/// Colours of what is of one kind, in turn.
+class Palette {
+ public:
+  Base next_water() { return waters[water_++ % waters.size()]; }
+  Base next_soil() { return soils[soil_++ % soils.size()]; }
+  Base next_fill() { return soils[2 * fill_++ % soils.size()]; }
+  Base next_ground() { return soils[(2 * ground_++ + 1) % soils.size()]; }
+  Base next_other() { return others[other_++ % others.size()]; }
+
+ private:
+  std::size_t water_ = 0, soil_ = 0, fill_ = 0, ground_ = 0, other_ = 0;
+};
+
+bool is_fluid(const MaterialSpec& material) { return std::holds_alternative<NewtonianSpec>(material.model); }
+bool is_soil(const MaterialSpec& material) { return std::holds_alternative<MohrCoulombSpec>(material.model); }
+
 std::vector<Base> colours_of_materials(const Scene& scene) {
+  Palette palette;
   std::vector<Base> colours;
-  std::array<std::size_t, 3> counts{};
-  for (const MaterialSpec& material : scene.materials) {
-    const bool fluid = std::holds_alternative<NewtonianSpec>(material.model);
-    const bool soil = std::holds_alternative<MohrCoulombSpec>(material.model);
-    std::size_t& count = counts[fluid ? 0 : soil ? 1 : 2];
-    colours.push_back(fluid  ? waters[count % waters.size()]
-                      : soil ? soils[count % soils.size()]
-                             : others[count % others.size()]);
-    ++count;
-  }
+  for (const MaterialSpec& material : scene.materials)
+    colours.push_back(is_fluid(material)  ? palette.next_water()
+                      : is_soil(material) ? palette.next_soil()
+                                          : palette.next_other());
   return colours;
 }
 
-std::size_t material_index(const Scene& scene, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(scene.materials, name, &MaterialSpec::name) -
-                                  scene.materials.begin());
+/// A soil in a membrane and one around it have different colours also where both are of one material.
+std::vector<Base> colours_of_bodies(const Scene& scene) {
+  Palette palette;
+  std::vector<Base> colours;
+  for (const BodySpec& body : scene.bodies) {
+    const MaterialSpec& material = *find_material(scene, body.material);
+    const bool is_fill =
+        std::ranges::any_of(scene.membranes, [&](const MembraneSpec& each) { return each.body == body.name; });
+    if (lies_in_pores(scene, body))
+      colours.push_back(waters.front());  // is not drawn
+    else if (is_fluid(material))
+      colours.push_back(palette.next_water());
+    else if (is_soil(material))
+      colours.push_back(is_fill ? palette.next_fill() : palette.next_ground());
+    else
+      colours.push_back(palette.next_other());
+  }
+  return colours;
 }
 
 }  // namespace
@@ -95,15 +122,16 @@ bool lies_in_pores(const Scene& scene, const BodySpec& water) {
 }
 
 Categories layers_of(const Scene& scene, const ParticleSnapshot& particles) {
-  const std::vector<Base> bases = colours_of_materials(scene);
+  const std::vector<Base> bases = colours_of_bodies(scene);
   Categories result;
   for (std::size_t p = 0; p < particles.body.size(); ++p) {
-    const Base& base = bases.at(particles.material.at(p));
+    const Base& base = bases.at(particles.body[p]);
     result.colours.push_back(particles.layer.at(p) % 2 == 0 ? base.light : base.dark);
   }
-  for (const BodySpec& body : scene.bodies) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodySpec& body = scene.bodies[b];
     if (lies_in_pores(scene, body)) continue;
-    const Base& base = bases.at(material_index(scene, body.material));
+    const Base& base = bases[b];
     result.legend.push_back({body.name + (body.layers > 1 ? ", layers" : ""), base.light});
     if (body.layers > 1) result.legend.push_back({"", base.dark});
   }

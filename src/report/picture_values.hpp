@@ -40,7 +40,8 @@ PictureValues values_of(const std::vector<Field>& fields, const std::string& nam
 /// Whether a body of water is in the pores of a soil and nowhere else: pictures show the soil in its place.
 bool lies_in_pores(const Scene& scene, const BodySpec& water);
 
-/// Layers: bodies in the colours of their materials, darker and lighter in turn where they have layers.
+/// Layers: bodies in the colours of the kinds of their materials, darker and lighter in turn where they have layers.
+/// Soil in a membrane differs from soil around it.
 Categories layers_of(const Scene& scene, const ParticleSnapshot& particles);
 Categories materials_of(const Scene& scene, const ParticleSnapshot& particles);
 

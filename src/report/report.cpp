@@ -106,6 +106,11 @@ std::string factors_in_words(const TensionStrength& factors) {
   return words;
 }
 
+/// A coordinate; what is round-off beside the width of the domain is 0.
+std::string place_text(const Source& source, double coordinate) {
+  return figure(coordinate, "m", source.scene.grid.upper[0] - source.scene.grid.lower[0]);
+}
+
 std::string design_check(const Source& source) {
   std::string page;
   Lines lines{{"membrane", "largest tension", "at", "place", "strength", "allowable", "safety"}};
@@ -113,7 +118,7 @@ std::string design_check(const Source& source) {
     TensionStrength factors = source.options.factors;
     factors.strength = peak.strength;
     const std::optional<double> factor = safety(peak, factors);
-    const std::string place = "x = " + figure(peak.place[0], "m") + ", y = " + figure(peak.place[1], "m");
+    const std::string place = "x = " + place_text(source, peak.place[0]) + ", y = " + place_text(source, peak.place[1]);
     lines.push_back(
         {text(peak.membrane), figure(peak.tension, "N/m"), figure(peak.time, "s"), place,
          factor ? figure(peak.strength, "N/m") : "not given", factor ? figure(allowable_tension(factors), "N/m") : "-",
@@ -130,16 +135,23 @@ std::string design_check(const Source& source) {
                            : " reduced by " + text(words)) +
             ". Safety: allowable over largest.</p>\n";
   }
-  Lines rest{{"body", "centre x", "centre y", "lowest point y", "height", "width", "tilt", "speed"}};
+  Lines rest{{"body", "centre x", "centre y", "lowest point y", "burial", "height", "width", "tilt", "speed"}};
   double time = 0;
+  bool has_bed = false;
   for (const RestingPlace& place : resting_places(source.scene, source.history)) {
     time = place.time;
-    rest.push_back({text(place.body), figure(place.x, "m"), figure(place.y, "m"), figure(place.lowest, "m"),
+    has_bed = has_bed || place.burial;
+    rest.push_back({text(place.body), place_text(source, place.x), place_text(source, place.y),
+                    place_text(source, place.lowest), place.burial ? place_text(source, *place.burial) : "-",
                     figure(place.height, "m"), figure(place.width, "m"), figure(place.tilt_deg, "degree"),
                     figure(place.speed, "m/s")});
   }
   if (rest.size() > 1)
-    page += "<p>Place and shape at t = " + figure(time, "s") + ":</p>\n" + table(rest, {1, 2, 3, 4, 5, 6, 7});
+    page += "<p>Place and shape at t = " + figure(time, "s") + ":</p>\n" + table(rest, {1, 2, 3, 4, 5, 6, 7, 8});
+  if (has_bed)
+    page +=
+        "<p>Burial: depth of the lowest point below the surface that the bed had there at the start; negative: "
+        "above it.</p>\n";
   return page;
 }
 
@@ -156,13 +168,10 @@ std::string embed(const Source& source, const std::string& ending, const Draw& d
 
 std::string histories(const Source& source) {
   std::string page;
-  for (const NamedChart& chart : run_charts(source.options.directory)) {
-    Chart titled = chart.chart;
-    titled.title = source.record.title;
+  for (const NamedChart& chart : run_charts(source.options.directory, source.options.factors))
     page += embed(
-        source, ".svg", [&](const fs::path& file) { write_chart(titled, file); },
+        source, ".svg", [&](const fs::path& file) { write_chart(chart.chart, file); },
         [&](const fs::path& file) { return html::drawing(file, chart.stem); });
-  }
   return page;
 }
 
@@ -204,13 +213,21 @@ struct CaptionedPicture {
   std::string caption;
 };
 
-/// Bodies and layers, in space membranes from outside; velocities near a small membrane; pressures at the end.
+/// Of what the stress of particles is, beside its sign.
+std::string stress_caption(const Scene& scene) {
+  const bool has_coupled =
+      std::ranges::any_of(scene.bodies, [](const BodySpec& body) { return !body.saturated_by.empty(); });
+  return std::string("vertical stress, tension positive") + (has_coupled ? ", of coupled soil the effective one" : "");
+}
+
+/// Bodies and layers, in space membranes from outside; velocities near a small membrane; pressures and stresses at the
+/// end.
 std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene& scene, const Instant& instant) {
   const std::optional<Extent> close = membrane_window(snapshot, scene);
   const std::vector<std::string> fields = picture_fields(snapshot);  // output.fields may leave some out
   const auto written = [&](const char* name) { return std::ranges::find(fields, name) != fields.end(); };
   std::vector<CaptionedPicture> pictures;
-  const auto add = [&](const char* field, const std::optional<Extent>& window, const char* caption) {
+  const auto add = [&](const char* field, const std::optional<Extent>& window, const std::string& caption) {
     pictures.push_back({{field, "tension", window, {}, {}, {}}, caption});
   };
   const bool has_particles = !snapshot.particles.points.empty();
@@ -219,6 +236,8 @@ std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene&
   if (has_particles && close && instant.time > 0 && written("velocity")) add("velocity", close, "velocity");
   if (has_particles && instant.why == "end" && written("mean_pressure"))
     add("mean_pressure", close, "mean pressure, compression positive");
+  const char* const vertical = scene.dimension == 3 ? "stress_zz" : "stress_yy";
+  if (has_particles && instant.why == "end" && written(vertical)) add(vertical, close, stress_caption(scene));
   return pictures;
 }
 

@@ -21,6 +21,9 @@ TEST_CASE("Numbers as they are handed in") {
   CHECK(figure(12345, "1") == "12345");
   CHECK(figure(std::nan(""), "m") == "-");
   CHECK(figure(120, "N") == "120 N");
+  CHECK(figure(-1e-5, "m") == "-1e-05 m");
+  CHECK(figure(-1e-5, "m", 10) == "0 m");  // a place in a domain of 10 m
+  CHECK(figure(-1e-3, "m", 10) == "-0.00100 m");
 }
 
 TEST_CASE("Names in words: without their unit, but for that of r squared") {

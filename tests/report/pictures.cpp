@@ -93,6 +93,30 @@ TEST_CASE("Scales of colours: their ends, their middle, and grey for no number")
   CHECK(rgb({1, 2, 3}) == 0x010203U);
 }
 
+TEST_CASE("Soil in a membrane and soil around it differ in colour, layer by layer, also where both are one material") {
+  Scene scene;
+  scene.materials = {{"sand", MohrCoulombSpec{}}};
+  for (const char* name : {"bed", "bag"}) {
+    BodySpec body;
+    body.name = name;
+    body.material = "sand";
+    body.layers = 2;
+    scene.bodies.push_back(body);
+  }
+  MembraneSpec membrane;
+  membrane.body = "bag";
+  scene.membranes.push_back(membrane);
+  ParticleSnapshot particles;
+  particles.body = {0, 0, 1, 1};
+  particles.material = {0, 0, 0, 0};
+  particles.layer = {0, 1, 0, 1};
+  const Categories layers = layers_of(scene, particles);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(layers.colours[i] == layers.colours[j]);
+  REQUIRE(layers.legend.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(layers.legend[i].colour == layers.colours[i]);
+}
+
 TEST_CASE("Values of fields by their names: lengths of vectors, components, numbers") {
   const std::vector<Field> fields{{"velocity", {"X", "Y", "Z"}, {3, 4, 0, 0, -2, 0}}, {"density", {}, {1000, 1600}}};
   CHECK(value_names(fields) ==

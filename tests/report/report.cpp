@@ -68,6 +68,28 @@ TEST_CASE("A body in a closed membrane rests where its last row says") {
   CHECK(places[0].lowest == -0.2);
 }
 
+TEST_CASE("Burial is counted from the surface of the bed at the start, below a trench, of soil in no membrane") {
+  const auto body = [](const char* name, const char* material, const Shape& shape) {
+    BodySpec spec;
+    spec.name = name;
+    spec.material = material;
+    spec.shape = shape;
+    return spec;
+  };
+  Scene scene = scene_with_bag(0);
+  scene.materials = {{"water", NewtonianSpec{}}, {"sand", MohrCoulombSpec{}}};
+  CHECK_FALSE(bed_surface(scene, "", 2).has_value());
+  scene.bodies = {body("water", "water", BoxShape{{-9, 0}, {9, 13}}), body("bag", "sand", BoxShape{{1, 5}, {3, 6}}),
+                  body("bed", "sand", BoxShape{{-9, -4}, {9, 0.5}}),
+                  body("trench", "water", BoxShape{{4, -1}, {6, 2}})};
+  scene.bodies[2].minus = {"trench"};
+  CHECK(bed_surface(scene, "", 2).value() == 0.5);
+  CHECK(bed_surface(scene, "", 5).value() == -1);
+  CHECK(bed_surface(scene, "trench", 5).value() == 2);
+  CHECK_FALSE(bed_surface(scene, "", 20).has_value());
+  CHECK(resting_places(scene, history).at(0).burial.value() == near(0.7, 1e-12));  // its lowest point is at -0.2
+}
+
 TEST_CASE("Base64 of RFC 4648, and text that HTML would take for its own") {
   CHECK(html::base64("") == "");
   CHECK(html::base64("f") == "Zg==");
@@ -88,7 +110,8 @@ TEST_CASE("report writes one page with all in it; compare tells what differs") {
   for (const char* part :
        {"<h1>", "Key figures", "Beside what was expected", "Design check", "seam efficiency 0.5", "Histories",
         "Pictures", "data:image/png;base64,", "data:image/svg+xml;base64,", "material water", "1000 kg/m3",
-        "Balance of mass and energy", "geodrop run", "Remarks of the scene"})
+        "Balance of mass and energy", "geodrop run", "Remarks of the scene", "burial",
+        "end: vertical stress, tension positive", "the surface that the bed had"})
     CHECK_MESSAGE(contains(page, part), part);
   CHECK_FALSE(contains(page, "src=\"http"));
   // A key that several laws have is told with the meaning that it has in its own.
