@@ -2,9 +2,11 @@
 
     pvpython show_run.py RUN_DIR [--time T] [--show PRESET]                       opens a window
     pvbatch show_run.py RUN_DIR [--time T] [--show PRESET] --screenshot FILE      writes a PNG
+    pvbatch show_run.py RUN_DIR [--show PRESET] --animation FILE                  writes a movie, or a PNG for each frame
 
 Presets: layers (of the soil; membrane by tension), stresses (upright stress of the soil, tension positive), pressure
-(mean pressure of all bodies), tension (of the membrane, bodies plain), utilisation (tension over strength, likewise).
+(mean pressure of all bodies), tension (of the membrane, bodies plain), utilisation (tension over strength, likewise). Colours mean the same at all times: from the least to the largest value of the
+run, or --range MIN MAX.
 
 Works with ParaView 5.11 (Debian 12) and later. Without a display: xvfb-run -a pvbatch ...
 """
@@ -46,14 +48,28 @@ def presets(dimension):
 BODY_SHARE = 0.75
 
 
+MOVIES = (".avi", ".ogv")
+
+
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", help="directory of a run, with particles.pvd")
     parser.add_argument("--time", type=float, help="simulated time [s]; the nearest frame is shown; default: the last")
     parser.add_argument("--show", choices=list(presets(2)), default="layers", help="what the colours mean")
-    parser.add_argument("--screenshot", help="PNG file to write instead of opening a window")
+    written = parser.add_mutually_exclusive_group()
+    written.add_argument("--screenshot", help="PNG file to write instead of opening a window")
+    written.add_argument("--animation", help="file to write with all frames: .avi or .ogv, or .png for OUT.0000.png, OUT.0001.png, ...")
+    parser.add_argument("--range", type=float, nargs=2, metavar=("MIN", "MAX"), help="values of the first and the last colour")
+    parser.add_argument("--rate", type=float, default=10, help="frames a second of a movie; default: 10")
     parser.add_argument("--size", type=int, nargs=2, default=[1000, 1200], metavar=("WIDTH", "HEIGHT"))
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if arguments.range and not arguments.range[0] < arguments.range[1]:
+        parser.error("argument --range: found {:g} {:g}; allowed: MIN below MAX".format(*arguments.range))
+    if arguments.animation and not arguments.animation.endswith((".png",) + MOVIES):
+        parser.error("argument --animation: found {}; allowed: a file .png, .avi or .ogv".format(arguments.animation))
+    if arguments.animation and arguments.time is not None:
+        parser.error("argument --time: not allowed with argument --animation, which shows all times")
+    return arguments
 
 
 def read_scene(path):
@@ -90,8 +106,11 @@ def camera_body(scene):
     return solids[0] if solids else 0
 
 
-def nearest_time(reader, wanted):
-    times = list(reader.TimestepValues) if hasattr(reader.TimestepValues, "__iter__") else [reader.TimestepValues]
+def times_of(reader):
+    return list(reader.TimestepValues) if hasattr(reader.TimestepValues, "__iter__") else [reader.TimestepValues]
+
+
+def nearest_time(times, wanted):
     return times[-1] if wanted is None else min(times, key=lambda t: abs(t - wanted))
 
 
@@ -126,22 +145,18 @@ def colour_by_layer(display, layers):
     table.IndexedColors = [part for layer in range(layers) for part in LAYER_COLOURS[layer % 2]]
 
 
-RANGES = {}  # of the fields that are shown, over all sources
+# What is coloured by a field: its source, POINTS or CELLS, the field, and whether the scale begins at 0.
+Coloured = collections.namedtuple("Coloured", "source association field from_zero")
+COLOURED = []
 
 
-def colour_by(display, source, association, field, view, location, from_zero):
-    """Colours by a field from the least to the largest value of all that is coloured by it (or from 0), with a colour bar."""
-    pv.ColorBy(display, (association, field.name) if field.component is None else (association, field.name, field.component))
-    array = (source.PointData if association == "POINTS" else source.CellData)[field.name]
-    names = [array.GetComponentName(c) for c in range(array.GetNumberOfComponents())]
-    low, high = array.GetRange(names.index(field.component) if field.component else 0)
-    if low <= high:  # else there is nothing of it
-        before = RANGES.get(field.name, (low, high))
-        RANGES[field.name] = min(low, before[0]), max(high, before[1])
-    low, high = RANGES.get(field.name, (0, 1))
+def colour_by(display, coloured, view, location):
+    """Colours by a field, with a colour bar; the scale is set once all that has it is there, by set_scale."""
+    COLOURED.append(coloured)
+    field = coloured.field
+    pv.ColorBy(display, (coloured.association, field.name) if field.component is None else (coloured.association, field.name, field.component))
     table = pv.GetColorTransferFunction(field.name)
     table.ApplyPreset("Viridis (matplotlib)", True)
-    table.RescaleTransferFunction(0 if from_zero else low, high if high > low or not from_zero else 1.0)
     legend = pv.GetScalarBar(table, view)
     legend.Title = field.title
     legend.ComponentTitle = ""
@@ -150,11 +165,50 @@ def colour_by(display, source, association, field, view, location, from_zero):
     legend.Visibility = 1
 
 
+def range_now(coloured):
+    """Least and largest value in the frame that its source has read; nothing if there is none."""
+    array = (coloured.source.PointData if coloured.association == "POINTS" else coloured.source.CellData)[coloured.field.name]
+    if array is None:
+        return []
+    names = [array.GetComponentName(c) for c in range(array.GetNumberOfComponents())]
+    low, high = array.GetRange(names.index(coloured.field.component) if coloured.field.component else 0)
+    return [low, high] if low <= high else []
+
+
+def bounds_now(source):
+    return source.GetDataInformation().GetBounds()
+
+
+def survey(times, body):
+    """Values of what is coloured and bounds of a source over these times; the sources have read the last one then."""
+    values, bounds = [], None
+    for time in times:
+        body.UpdatePipeline(time)
+        now = bounds_now(body)
+        bounds = now if bounds is None else [(min, max)[i % 2](pair) for i, pair in enumerate(zip(bounds, now))]
+        for coloured in COLOURED:
+            coloured.source.UpdatePipeline(time)
+            values += range_now(coloured)
+    return values, bounds
+
+
+def set_scale(values, asked):
+    """One scale for all times."""
+    if not COLOURED:
+        return
+    low, high = min(values, default=0), max(values, default=1)
+    if COLOURED[0].from_zero:
+        low, high = 0, high if high > 0 else 1
+    table = pv.GetColorTransferFunction(COLOURED[0].field.name)
+    table.RescaleTransferFunction(*(asked or (low, high)))
+    table.AutomaticRescaleRangeMode = "Never"
+
+
 def colour_body(display, source, scene, index, preset, show, view):
     body = scene["bodies"][index]
     water = is_fluid(scene, body)
     if preset.bodies and (preset.with_water or not water):
-        colour_by(display, source, "POINTS", preset.bodies, view, "Upper Right Corner", False)
+        colour_by(display, Coloured(source, "POINTS", preset.bodies, False), view, "Upper Right Corner")
     elif water:
         colour_plainly(display, WATER_COLOUR, WATER_OPACITY)
     elif show != "layers":
@@ -194,7 +248,7 @@ def show_membranes(path, view, time, field):
     display.SetRepresentationType("Surface")
     display.LineWidth = 5
     if field:
-        colour_by(display, membranes, "CELLS", field, view, "Upper Right Corner", True)
+        colour_by(display, Coloured(membranes, "CELLS", field, True), view, "Upper Right Corner")
     else:
         colour_plainly(display, RIGID_COLOUR, 1.0)
         display.LineWidth = 2
@@ -224,10 +278,8 @@ def show_axes(view, dimension):
         setattr(grid, colour, [0.2, 0.2, 0.2])
 
 
-def aim_camera(view, source, time, dimension):
+def aim_camera(view, bounds, dimension):
     """In 2D across the plane, in 3D from the front wall along y; the vertical axis up."""
-    source.UpdatePipeline(time)
-    bounds = source.GetDataInformation().GetBounds()
     centre = [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
     up, across = (1, 2) if dimension == 2 else (2, 1)
     width, height = view.ViewSize
@@ -239,26 +291,48 @@ def aim_camera(view, source, time, dimension):
     view.CameraParallelScale = 0.5 * max(tall, wide * height / width) / BODY_SHARE
 
 
+def show_label(view, particles, name):
+    label = pv.AnnotateTimeFilter(registrationName="time", Input=particles, Format="t = {time:.2f} s, " + name)
+    display = pv.Show(label, view)
+    display.Color = [0, 0, 0]
+    display.FontSize = 24
+    display.WindowLocation = "Upper Left Corner"
+
+
+def write_animation(arguments, view, times):
+    if arguments.animation.endswith(MOVIES):
+        pv.SaveAnimation(arguments.animation, view, ImageResolution=arguments.size, FrameRate=arguments.rate)
+    else:
+        pv.SaveAnimation(arguments.animation, view, ImageResolution=arguments.size, SuffixFormat=".%04d")
+    print("show_run.py: {} frames, t = {:g} to {:g} s -> {}".format(len(times), times[0], times[-1], arguments.animation))
+
+
+def make_view(size, dimension):
+    pv._DisableFirstRenderCameraReset()
+    view = pv.CreateRenderView()
+    view.ViewSize = size
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.OrientationAxesVisibility = 0
+    view.InteractionMode = "2D" if dimension == 2 else "3D"
+    return view
+
+
 def main():
     arguments = parse_arguments()
     collection = os.path.join(arguments.run, "particles.pvd")
     if not os.path.exists(collection):
         sys.exit("show_run.py: no particles.pvd in " + arguments.run + ", so it is not the directory of a run")
     scene = read_scene(os.path.join(arguments.run, "scene.toml"))
-    pv._DisableFirstRenderCameraReset()
-    view = pv.CreateRenderView()
-    view.ViewSize = arguments.size
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1, 1, 1]
-    view.OrientationAxesVisibility = 0
     dimension = int(scene[""][0].get("dimension", 2))
-    view.InteractionMode = "2D" if dimension == 2 else "3D"
+    view = make_view(arguments.size, dimension)
 
     particles = pv.PVDReader(registrationName="particles", FileName=collection)
-    time = nearest_time(particles, arguments.time)
+    times = times_of(particles)
+    time = nearest_time(times, arguments.time)
     particles.UpdatePipeline(time)
     pv.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
-    view.ViewTime = time
+    pv.GetAnimationScene().AnimationTime = time  # the view follows
     preset = presets(dimension)[arguments.show]
     body = show_bodies(particles, scene, view, preset, arguments.show)
     membranes = os.path.join(arguments.run, "membranes.pvd")
@@ -267,14 +341,16 @@ def main():
     rigid = os.path.join(arguments.run, "rigid.pvd")
     if os.path.exists(rigid):
         show_rigid(rigid, view, time)
-    label = pv.Show(pv.Text(registrationName="time", Text="t = {:.2f} s, {}".format(time, arguments.show)), view)
-    label.Color = [0, 0, 0]
-    label.FontSize = 24
-    label.WindowLocation = "Upper Left Corner"
-    aim_camera(view, body, time, dimension)
+    show_label(view, particles, arguments.show)
+    values, bounds = survey([] if arguments.range and not arguments.animation else times, body)
+    set_scale(values, arguments.range)
+    body.UpdatePipeline(time)
+    aim_camera(view, bounds if arguments.animation else bounds_now(body), dimension)
     show_axes(view, dimension)
 
-    if arguments.screenshot:
+    if arguments.animation:
+        write_animation(arguments, view, times)
+    elif arguments.screenshot:
         pv.SaveScreenshot(arguments.screenshot, view, ImageResolution=arguments.size)
         print("show_run.py: t = {:g} s -> {}".format(time, arguments.screenshot))
     else:
