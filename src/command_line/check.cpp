@@ -38,9 +38,17 @@ Json json_of(const std::vector<SceneProblem>& problems) {
   return items;
 }
 
-/// Mistakes, warnings and notes for other programs; the same exit codes.
+Json json_of(const Effort& effort) {
+  return {{"particles", effort.particles},
+          {"steps", effort.steps},
+          {"wall_s", effort.seconds},
+          {"memory_bytes", effort.memory_bytes},
+          {"output_bytes", effort.output_bytes}};
+}
+
+/// Mistakes, warnings, notes and the effort of a run for other programs; the same exit codes.
 int check_for_programs(const CheckArguments& arguments) {
-  Json problems = Json::array(), warnings = Json::array(), notes = Json::array();
+  Json problems = Json::array(), warnings = Json::array(), notes = Json::array(), effort;
   int code = 0;
   try {
     const Scene scene = read_scene(arguments.scene, arguments.overrides);
@@ -48,11 +56,16 @@ int check_for_programs(const CheckArguments& arguments) {
     check_first_step(scene);
     warnings = doubts(scene);
     notes = scene_notes(scene);
+    effort = json_of(estimate_effort(scene, 1));
   } catch (const SceneError& error) {
     problems = json_of(error.problems());
     code = exit_usage;
   }
-  std::cout << json_text({{"file", arguments.scene}, {"problems", problems}, {"warnings", warnings}, {"notes", notes}});
+  std::cout << json_text({{"file", arguments.scene},
+                          {"problems", problems},
+                          {"warnings", warnings},
+                          {"notes", notes},
+                          {"effort", effort}});
   return code;
 }
 

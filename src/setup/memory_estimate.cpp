@@ -77,8 +77,10 @@ std::string in_gigabytes(double bytes) {
 }  // namespace
 
 MemoryEstimate estimate_memory(const Scene& scene) {
-  constexpr double bytes_per_cell = 185;  // of the arrays in grid.hpp, all of them in use
+  constexpr double bytes_per_cell = 185;   // of the arrays in grid.hpp, all of them in use
+  constexpr double program_itself = 25e6;  // with its libraries: peaks of the smallest runs (Debian 12, two threads)
   MemoryEstimate estimate;
+  estimate.bytes = program_itself;
   for (const BodySpec& body : scene.bodies) {
     const double count =
         filled_share(body.shape) * (scene.dimension == 2 ? sites<2>(scene, body) : sites<3>(scene, body));

@@ -10,7 +10,7 @@ namespace geodrop {
 struct MemoryEstimate {
   double particles = 0;  ///< at most about
   double cells = 0;      ///< of all velocity fields
-  double bytes = 0;      ///< of both
+  double bytes = 0;      ///< of both and of the program itself
 };
 
 MemoryEstimate estimate_memory(const Scene& scene);

@@ -73,14 +73,21 @@ TEST_CASE("check and info as JSON") {
   const std::string bar = geodrop::source_path("cases/elastic_bar.toml");
   const Json good = Json::parse(run_program({"check", bar, "--json"}).out);
   CHECK(good["problems"].empty());
+  CHECK(good["effort"]["particles"].get<double>() > 0);
+  CHECK(good["effort"]["steps"].get<double>() > 0);
+  CHECK(good["effort"]["wall_s"].get<double>() > 0);
+  CHECK(good["effort"]["output_bytes"].get<double>() > 0);
   const Outcome outcome = run_program({"check", bar, "--json", "--set", "grid.spacng=1"});
   CHECK(outcome.code == 2);
   const Json bad = Json::parse(outcome.out);
   REQUIRE(bad["problems"].size() == 1);
   CHECK(bad["problems"][0]["key"] == "grid.spacng");
+  CHECK(bad["effort"].is_null());
   const Json info = Json::parse(run_program({"info", bar, "--json"}).out);
   CHECK(info["particles_count"].get<double>() > 0);
   CHECK(info["time_step_s"].get<double>() > 0);
+  CHECK(info["memory_bytes_count"] == good["effort"]["memory_bytes"]);
+  CHECK(info["memory_bytes_count"].get<double>() > 25e6);  // of the program alone
 }
 
 TEST_CASE("A new scene passes check without a doubt, and is not written twice") {
