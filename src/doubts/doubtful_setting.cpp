@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/text.hpp"
-#include "contact/rigid_surface.hpp"
+#include "open_fluid.hpp"
 #include "scene/needs.hpp"
 #include "setup/memory_estimate.hpp"
 
@@ -17,17 +17,6 @@ namespace {
 constexpr int digits = 3;
 
 std::string number(double value) { return format_number(value, digits); }
-
-const NewtonianSpec* fluid_of(const Scene& scene, const BodySpec& body) {
-  return std::get_if<NewtonianSpec>(&find_material(scene, body.material)->model);
-}
-
-bool is_enclosed(const Scene& scene, const BodySpec& body) {
-  return std::ranges::any_of(scene.membranes,
-                             [&](const MembraneSpec& each) { return each.body == body.name && each.closed; });
-}
-
-double strength_of_gravity(const Scene& scene) { return -scene.gravity.back(); }
 
 double top_of(const Scene& scene, const BodySpec& body) {
   return bounds_within(body.shape, {scene.grid.lower, scene.grid.upper}).upper.back();
@@ -65,66 +54,6 @@ std::string wave_speed_doubt(const Scene& scene, const BodySpec& body) {
          ", a fluid is weakly compressible up to 0.3 only; take a sound_speed of " + number(10 * speed) + " m/s";
 }
 
-bool is_rigid(const Scene& scene, const Point& x) {
-  return std::ranges::any_of(scene.rigid, [&](const RigidSpec& rigid) {
-    if (const auto* half = std::get_if<HalfPlaneShape>(&rigid.shape)) return contains(*half, x);
-    constexpr double least = 1e-9;  // [m]
-    const Vec<2> at(x.data());
-    return RigidSurface(make_rigid_body(rigid, scene.grid)).may_touch(at, at, least);
-  });
-}
-
-/// The body that holds a point; null if none does.
-const BodySpec* body_at(const Scene& scene, const Point& x) {
-  for (const BodySpec& body : scene.bodies) {
-    const bool cut = std::ranges::any_of(body.minus, [&](const std::string& name) {
-      const BodySpec* other = find_body(scene, name);
-      return other && contains(other->shape, x);
-    });
-    if (!cut && contains(body.shape, x)) return &body;
-  }
-  return nullptr;
-}
-
-bool is_placed_later(const Scene& scene, const BodySpec& body) {
-  return std::ranges::any_of(scene.stages, [&](const StageSpec& stage) {
-    return std::ranges::find(stage.places, body.name) != stage.places.end();
-  });
-}
-
-bool moves_at_start(const BodySpec& body) {
-  const auto* uniform = std::get_if<UniformVelocitySpec>(&body.initial_velocity);
-  return !uniform || std::ranges::any_of(uniform->value, [](double v) { return v != 0; });
-}
-
-/// Down a column from the top: where an open fluid at rest ends above nothing; the gap ends at what is below, or the
-/// bottom of the domain.
-std::string gap_in_column(const Scene& scene, double x) {
-  const double step = 0.5 * scene.grid.spacing, bottom = scene.grid.lower.back();
-  const BodySpec* above = nullptr;
-  double from = 0;
-  for (double y = scene.grid.upper.back() - 0.25 * step; y > bottom - step; y -= step) {
-    const BodySpec* here = y > bottom ? body_at(scene, {x, y}) : nullptr;
-    const bool held = y <= bottom || here || is_rigid(scene, {x, y});
-    if (here) {
-      if (above && from - y > 1.5 * step)
-        return "\"" + above->name + "\" begins " + number(from - y) + " m above \"" + here->name +
-               "\" (at x = " + number(x) + " m): it will fall";
-      const bool open = fluid_of(scene, *here) && !is_enclosed(scene, *here) && !moves_at_start(*here) &&
-                        !is_placed_later(scene, *here) && here->saturated_by.empty();
-      above = open ? here : nullptr;
-      from = y;
-    } else if (held) {
-      if (above && from - y > 1.5 * step)
-        return "\"" + above->name + "\" begins " + number(from - y) + " m above the " +
-               (y <= bottom ? "bottom of the domain" : "rigid surface below") + " (at x = " + number(x) +
-               " m): it will fall";
-      above = nullptr;
-    }
-  }
-  return {};
-}
-
 /// Only particles of cells all of whose neighbours are full are shifted (transfer/gather).
 std::string shift_doubt(const Scene& scene, const BodySpec& body) {
   if (!body.shift) return {};
@@ -151,15 +80,6 @@ std::vector<std::string> doubtful_water(const Scene& scene) {
   }
   std::erase(found, "");
   return found;
-}
-
-std::vector<std::string> doubtful_gaps(const Scene& scene) {
-  if (scene.dimension != 2 || strength_of_gravity(scene) <= 0) return {};
-  constexpr int columns = 40;
-  const double left = scene.grid.lower[0], width = scene.grid.upper[0] - left;
-  for (int i = 0; i < columns; ++i)
-    if (std::string gap = gap_in_column(scene, left + (i + 0.5) / columns * width); !gap.empty()) return {gap};
-  return {};
 }
 
 std::vector<std::string> doubtful_numerics(const Scene& scene) {

@@ -11,9 +11,6 @@ namespace geodrop {
 /// Surfaces of still fluids that are not where the fluid ends; a wave speed too low for the depth.
 std::vector<std::string> doubtful_water(const Scene& scene);
 
-/// Fluids that begin above something, with nothing between: they would fall.
-std::vector<std::string> doubtful_gaps(const Scene& scene);
-
 /// Blend rate and Courant number.
 std::vector<std::string> doubtful_numerics(const Scene& scene);
 

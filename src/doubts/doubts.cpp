@@ -1,5 +1,6 @@
 #include "doubts.hpp"
 
+#include "doubtful_gaps.hpp"
 #include "doubtful_setting.hpp"
 #include "doubtful_units.hpp"
 

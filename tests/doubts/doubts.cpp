@@ -73,6 +73,26 @@ TEST_CASE("Water: its surface, its speed of sound, a gap below it") {
   CHECK(contains(gap, "above \"bed\""));
 }
 
+TEST_CASE("Gaps below water and beside it, in the plane and in space; a dam break is none") {
+  const std::string shore = main_case({"bodies.water.shape.lower.0=-15.5"});
+  CHECK(contains(shore, "\"water\" ends 0.5 m before the end of the domain along x"));
+  const auto basin = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"grid.upper=[4.0, 3.0, 2.5]", "bodies.water.shape.upper=[4.0, 3.0, 2.0]"});
+    return joined(settings, "cases/hydrostatic_column_3d.toml");
+  };
+  CHECK(basin({}) == "");
+  const std::string wall = basin({"bodies.water.shape.lower.1=0.2"});
+  CHECK(contains(wall, "\"water\" ends 0.2 m before the end of the domain along y (at x = "));
+  CHECK_FALSE(contains(wall, "along x"));
+  const std::string ground = basin({"bodies.water.shape.lower.2=0.2"});
+  CHECK(contains(ground, "\"water\" begins 0.2 m above the end of the domain (at x = "));
+  const std::string rigid =
+      "rigid=[{ name = 'quay', shape = { type = 'box', lower = [3.0, -1.0, -1.0], upper = [5.0, "
+      "4.0, 4.0] } }]";
+  CHECK(contains(basin({rigid, "bodies.water.shape.upper=[2.8, 3.0, 2.0]"}), "before a rigid surface along x"));
+  CHECK(basin({"bodies.water.shape.lower.0=2.0"}) == "");  // a dam break
+}
+
 TEST_CASE("Numbers out of scale, and output that fills the disk") {
   CHECK(contains(main_case({"solver.blend_rate=1e6"}), "solver.blend_rate = 1e+06 1/s is out of all scale"));
   CHECK(contains(main_case({"solver.courant=0.9"}), "solver.courant = 0.9 is above 0.5"));
