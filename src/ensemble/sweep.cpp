@@ -66,10 +66,17 @@ std::string command_of_a_case(const SweepOptions& options) {
   return shell_command(words);
 }
 
-/// A case that is stopped by the signal before its time limit has a checkpoint and ends with 75; it is queued again and
-/// goes on from there.
+/// For a directive of sbatch: % begins a pattern there.
+std::string sbatch_path(const fs::path& path) {
+  std::string text;
+  for (const char letter : fs::absolute(path).string()) text += letter == '%' ? "%%" : std::string(1, letter);
+  return text;
+}
+
+/// A case that the signal before its time limit stops has a checkpoint and ends with 75; it is queued again and goes on
+/// from there. SIGTERM is scancel's: a case that was queued again then could not be cancelled.
 std::string array_script(const SweepOptions& options, std::size_t cases) {
-  const std::string log = shell_word((options.output / "slurm_%a.log").string());
+  const std::string log = shell_word(sbatch_path(options.output) + "/slurm_%a.log");
   return "#!/bin/bash\n"
          "# The cases of this sweep as a Slurm job array: sbatch array.sbatch\n"
          "# The manifest afterwards: the command of the sweep with --no-run.\n"
@@ -79,20 +86,20 @@ std::string array_script(const SweepOptions& options, std::size_t cases) {
          "\n"
          "#SBATCH --ntasks=1 --cpus-per-task=1\n"
          "#SBATCH --time=24:00:00\n"
-         "#SBATCH --signal=B:TERM@120\n"
+         "#SBATCH --signal=B:USR1@120\n"
          "#SBATCH --requeue --open-mode=append\n"
          "#SBATCH --output=" +
          log + "\ncd " + shell_word(fs::current_path().string()) + " || exit\n" + command_of_a_case(options) +
          " --case \"$SLURM_ARRAY_TASK_ID\" &\n"
-         "run=$!\n"
-         "trap 'kill -TERM \"$run\"' TERM\n"
+         "run=$! time_is_over=\n"
+         "trap 'kill -TERM \"$run\"' TERM  # of scancel\n"
+         "trap 'time_is_over=yes; kill -TERM \"$run\"' USR1\n"
+         "while kill -0 \"$run\" 2>/dev/null; do wait \"$run\"; done  # a signal ends the waiting only\n"
          "wait \"$run\"\n"
          "code=$?\n"
-         "while kill -0 \"$run\" 2>/dev/null; do  # the signal ended the waiting only\n"
-         "  wait \"$run\"\n"
-         "  code=$?\n"
-         "done\n"
-         "if [ \"$code\" -eq 75 ]; then scontrol requeue \"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\"; fi\n"
+         "if [ \"$code\" -eq 75 ] && [ -n \"$time_is_over\" ]; then\n"
+         "  scontrol requeue \"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\"\n"
+         "fi\n"
          "exit \"$code\"\n";
 }
 

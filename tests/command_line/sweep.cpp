@@ -6,6 +6,7 @@
 #include <csignal>
 #include <thread>
 
+#include "files/run_lock.hpp"
 #include "support/near.hpp"
 #include "support/program.hpp"
 #include "support/text.hpp"
@@ -24,6 +25,12 @@ std::vector<std::string> sweep(const fs::path& output, const std::vector<std::st
   return words;
 }
 
+/// Cases of some seconds each, with few rows and frames.
+std::vector<std::string> long_sweep(const fs::path& output) {
+  return sweep(output, {"--set", "time.end=8", "--set", "output.history_interval=0.1", "--set",
+                        "output.frame_interval=1.0", "--vary", stiffness + "8e6:16e6:3"});
+}
+
 std::size_t done(const fs::path& output) {
   const auto table = csv(output / "manifest.csv");
   return static_cast<std::size_t>(
@@ -38,6 +45,14 @@ bool wait_until(const Condition& holds) {
 }
 
 bool is_at_work(const fs::path& run) { return fs::exists(run / "summary.json"); }
+
+/// Kills the run that holds the lock of a directory; false if there is none.
+bool kill_run(const fs::path& run) {
+  std::istringstream lock(geodrop::read_file(run / geodrop::RunLock::file_name));
+  std::string word;
+  pid_t process = 0;
+  return lock >> word >> process && process > 0 && kill(process, SIGKILL) == 0;
+}
 
 }  // namespace
 
@@ -63,7 +78,7 @@ TEST_CASE("A sweep of two keys: all combinations, settlement goes as 1/E") {
 TEST_CASE("A sweep that is killed leaves runs that go on, and the second call completes it") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "killed");
-  const std::vector<std::string> words = sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
+  const std::vector<std::string> words = long_sweep(output);
   Program first(words);
   REQUIRE(wait_until([&] { return is_at_work(output / "case_001") && is_at_work(output / "case_002"); }));
   first.signal(SIGKILL);
@@ -81,10 +96,38 @@ TEST_CASE("A sweep that is killed leaves runs that go on, and the second call co
   CHECK(contains(geodrop::read_file(output / "case_001" / "run.log"), "resumed at t = "));
 }
 
+TEST_CASE(
+    "Twenty cases, all processes killed at once in the middle: the same command completes them, with the same "
+    "numbers") {
+  const geodrop::TemporaryDirectory directory;
+  const fs::path killed = fs::path(directory / "killed"), whole = fs::path(directory / "whole");
+  const std::vector<std::string> more{"--set",  "time.end=0.2",           "--set", "output.history_interval=0.01",
+                                      "--vary", stiffness + "8e6:16e6:20"};
+  Program first(sweep(killed, more));
+  REQUIRE(wait_until([&] { return fs::exists(killed / "manifest.csv") && done(killed) >= 7; }));
+  first.signal(SIGSTOP);  // so that it begins no other run meanwhile
+  int runs = 0;
+  for (const auto& entry : fs::directory_iterator(killed)) runs += kill_run(entry.path());
+  first.signal(SIGKILL);
+  CHECK(first.wait().code == 128 + SIGKILL);
+  CHECK(runs > 0);
+  CHECK(done(killed) < 20);
+
+  CHECK(run_program(sweep(killed, more)).code == 0);
+  CHECK(done(killed) == 20);
+  REQUIRE(run_program(sweep(whole, more)).code == 0);
+  CHECK(geodrop::read_file(killed / "manifest.csv") == geodrop::read_file(whole / "manifest.csv"));
+  const std::string picture = (killed / "mean.svg").string();
+  CHECK(run_program({"plot", killed.string(), "--over", "materials.soil.youngs_modulus", "--result",
+                     "displacement_mean_m", "--output", picture})
+            .code == 0);
+  CHECK(contains(geodrop::read_file(picture), "</svg>"));
+}
+
 TEST_CASE("A sweep that is stopped says so in its manifest, and goes on") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "stopped");
-  const std::vector<std::string> words = sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
+  const std::vector<std::string> words = long_sweep(output);
   Program first(words);
   REQUIRE(wait_until([&] { return is_at_work(output / "case_001") && is_at_work(output / "case_002"); }));
   first.signal(SIGTERM);
@@ -98,30 +141,36 @@ TEST_CASE("A sweep that is stopped says so in its manifest, and goes on") {
   CHECK(done(output) == 3);
 }
 
-TEST_CASE("The job array makes one case, and queues it again when its time is over") {
+TEST_CASE("The job array makes one case, and queues it again when its time is over, not when it is cancelled") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "array"), queue = fs::path(directory / "scontrol");
-  const std::vector<std::string> words = sweep(output, {"--set", "time.end=20", "--vary", stiffness + "8e6:16e6:3"});
+  const std::vector<std::string> words = long_sweep(output);
   std::vector<std::string> prepare = words;
   prepare.emplace_back("--no-run");
   REQUIRE(run_program(prepare).code == 0);
   CHECK_FALSE(fs::exists(output / "case_001"));
   const std::string script = geodrop::read_file(output / "array.sbatch");
-  for (const char* line : {"#SBATCH --array=1-3\n", "#SBATCH --signal=B:TERM@", "#SBATCH --requeue"})
+  for (const char* line : {"#SBATCH --array=1-3\n", "#SBATCH --signal=B:USR1@", "#SBATCH --requeue"})
     CHECK(contains(script, line));
   CHECK_FALSE(contains(script, "--jobs"));
 
   std::ofstream(queue) << "#!/bin/sh\necho \"$@\" >>" << (directory / "requeued").string() << "\n";
   fs::permissions(queue, fs::perms::owner_all);
-  const std::string job = "PATH=" + (directory / "").string() +
-                          ":$PATH SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=2 timeout -s TERM --foreground 0.7 bash " +
-                          (output / "array.sbatch").string() + " >/dev/null 2>&1";
-  // The time of timeout(1) may be over before the run began on a busy machine: then the job is not queued again.
-  bool queued = false;
-  for (int i = 0; i < 5 && !queued; ++i) {
+  const auto requeued_after = [&](const std::string& signal) {
+    const std::string job = "PATH=" + (directory / "").string() +
+                            ":$PATH SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=2 timeout -s " + signal +
+                            " --foreground 0.7 bash " + (output / "array.sbatch").string() + " >/dev/null 2>&1";
     std::system(job.c_str());
-    queued = fs::exists(directory / "requeued");
+    return fs::exists(directory / "requeued");
+  };
+  // The time of timeout(1) may be over before the run began on a busy machine: then the job is not queued again.
+  bool stopped = false, queued = false;
+  for (int i = 0; i < 5 && !stopped; ++i) {
+    CHECK_FALSE(requeued_after("TERM"));
+    stopped = contains(geodrop::read_file(output / "case_002" / "summary.json"), "\"stopped\"");
   }
+  CHECK(stopped);
+  for (int i = 0; i < 5 && !queued; ++i) queued = requeued_after("USR1");
   CHECK(geodrop::read_file(directory / "requeued") == "requeue 7_2\n");
   CHECK(contains(geodrop::read_file(output / "case_002" / "summary.json"), "\"stopped\""));
   CHECK_FALSE(fs::exists(output / "case_001"));
