@@ -11,10 +11,11 @@ add_custom_command(TARGET geodrop POST_BUILD
 install(FILES "${told}/geodrop.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(FILES "${told}/geodrop" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(DIRECTORY cases paraview DESTINATION "${share}" PATTERN __pycache__ EXCLUDE)
+install(FILES perf/instructions.csv DESTINATION "${share}/perf")  # for bench --instructions
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md CHANGELOG.md CITATION.cff codemeta.json LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # What the pages link to lies beside them as in the source tree, so that links lead somewhere.
-file(GLOB pages CONFIGURE_DEPENDS *.md docs/*.md docs/*/*.md)
+file(GLOB pages CONFIGURE_DEPENDS *.md docs/*.md docs/*/*.md paraview/*.md perf/*.md)
 foreach(page IN LISTS pages)
   file(READ "${page}" text)
   string(REPLACE "](" "<link>" text "${text}")  # CMake splits no list at brackets

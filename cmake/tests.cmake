@@ -27,6 +27,12 @@ add_dependencies(geodrop_tests geodrop)
 
 add_test(NAME wrapper COMMAND "${PROJECT_SOURCE_DIR}/tests/wrapper.sh")
 set_tests_properties(wrapper PROPERTIES LABELS wrapper)
+add_test(NAME installed COMMAND "${PROJECT_SOURCE_DIR}/tests/installed.sh" "${PROJECT_BINARY_DIR}")
+set_tests_properties(installed PROPERTIES LABELS installed TIMEOUT "${GEODROP_TEST_TIMEOUT}")
+# Skipped unless GEODROP_TEST_SLURM=1 (docs/running.md).
+add_test(NAME slurm COMMAND "${PROJECT_SOURCE_DIR}/tests/slurm.sh" "$<TARGET_FILE:geodrop>"
+                            "${PROJECT_SOURCE_DIR}/cases/gravity_column.toml")
+set_tests_properties(slurm PROPERTIES LABELS slurm SKIP_RETURN_CODE 77 TIMEOUT 1800)
 
 foreach(source IN LISTS test_sources)
   cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/tests" OUTPUT_VARIABLE relative)
