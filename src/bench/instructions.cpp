@@ -171,7 +171,7 @@ void write_instructions(const std::filesystem::path& file, const std::vector<Ins
   for (const InstructionCount& row : rows)
     out << row.name << ',' << row.build << ',' << row.particles << ',' << row.steps << ',' << row.per_particle_step
         << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+  if (!out.flush()) throw WriteError("cannot write " + file.string());
 }
 
 double callgrind_total(const std::string& dump) {
@@ -181,12 +181,11 @@ double callgrind_total(const std::string& dump) {
 }
 
 int run_instructions(const BenchOptions& options) {
-  const std::filesystem::path tree = find_in_tree("perf");
-  if (tree.empty()) {
+  const std::filesystem::path table = find_in_tree(table_name);
+  if (table.empty()) {
     std::fprintf(stderr, "there is no %s above this program or this directory\n", table_name);
     return 2;
   }
-  const std::filesystem::path table = tree.parent_path() / table_name;
   const std::vector<InstructionCount> committed = read_instructions(table);
   const std::vector<InstructionCount> counted = count_instructions(options);
   if (!options.update) return report(compare_instructions(counted, committed));

@@ -17,6 +17,16 @@ std::string proc_entry(const std::string& file, const std::string& key) {
   return "";
 }
 
+/// In this directory or one above it, or in share/geodrop there; empty if there is none.
+std::filesystem::path find_upwards(std::filesystem::path start, const std::filesystem::path& relative) {
+  std::error_code none;
+  for (;; start = start.parent_path()) {
+    for (const std::filesystem::path& root : {start, start / "share" / "geodrop"})  // as it is installed
+      if (std::filesystem::exists(root / relative, none)) return root / relative;
+    if (start == start.parent_path()) return {};
+  }
+}
+
 }  // namespace
 
 std::string processor_name() {
@@ -33,14 +43,13 @@ double available_memory() {
 
 std::filesystem::path find_in_tree(const std::filesystem::path& relative) {
   std::error_code none;
-  for (std::filesystem::path start :
-       {std::filesystem::current_path(none), std::filesystem::read_symlink("/proc/self/exe", none).parent_path()})
-    for (;; start = start.parent_path()) {
-      for (const std::filesystem::path& root : {start, start / "share" / "geodrop"})  // as it is installed
-        if (std::filesystem::exists(root / relative, none)) return root / relative;
-      if (start == start.parent_path()) break;
-    }
-  return {};
+  const std::filesystem::path found = find_upwards(std::filesystem::current_path(none), relative);
+  return found.empty() ? find_beside_program(relative) : found;
+}
+
+std::filesystem::path find_beside_program(const std::filesystem::path& relative) {
+  std::error_code none;
+  return find_upwards(std::filesystem::read_symlink("/proc/self/exe", none).parent_path(), relative);
 }
 
 }  // namespace geodrop

@@ -16,4 +16,7 @@ double available_memory();
 /// directory upwards, or where it is installed (share/geodrop); empty if there is none.
 std::filesystem::path find_in_tree(const std::filesystem::path& relative);
 
+/// The same from the program alone: what comes with it.
+std::filesystem::path find_beside_program(const std::filesystem::path& relative);
+
 }  // namespace geodrop

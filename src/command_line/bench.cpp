@@ -5,6 +5,7 @@
 #include <array>
 
 #include "only_if.hpp"
+#include "scene_file.hpp"
 #include "threads.hpp"
 
 namespace geodrop {
@@ -43,7 +44,7 @@ void add_bench_options(CLI::App& command, BenchArguments& arguments) {
   command.add_option("--only", bench.only, "only benchmarks whose name contains this; =NAME: only this one");
   command.add_option("--particles", bench.particles, "particles of a block; with --growth, at most")
       ->check(only_if<double>([](double n) { return n >= 1e3 && n <= 1e8; }, "a number from 1e3 to 1e8"));
-  command.add_option("--scene", bench.scene, "main case (default: cases/dump_kekerdom.toml)");
+  names_scene(command.add_option("--scene", bench.scene, "main case (default: cases/dump_kekerdom.toml)"));
   add_bench_modes(command, arguments);
 }
 

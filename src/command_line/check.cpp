@@ -15,6 +15,7 @@
 #include "exit_codes.hpp"
 #include "files/build_identity.hpp"
 #include "run.hpp"
+#include "scene_file.hpp"
 #include "step/effort.hpp"
 #include "threads.hpp"
 #include "transfer/levels.hpp"
@@ -99,7 +100,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
 
 void add_info_options(CLI::App& command, CheckArguments& arguments) {
   add_json(command, arguments);
-  command.add_option("scene", arguments.scene, "scene file");
+  add_scene_argument(command, arguments.scene);
   command.add_option("--set", arguments.overrides, "override a key of the scene")->take_all()->expected(1);
 }
 

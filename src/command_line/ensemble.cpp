@@ -3,12 +3,13 @@
 #include <omp.h>
 
 #include "only_if.hpp"
+#include "scene_file.hpp"
 
 namespace geodrop {
 
 void add_ensemble_options(CLI::App& command, EnsembleArguments& arguments) {
   EnsembleOptions& options = arguments.options;
-  command.add_option("scene", options.scene, "scene file (TOML, see docs/scene.md)")->required();
+  add_scene_argument(command, options.scene)->required();
   command.add_option("--samples", options.samples, "number of runs")->required()->check(whole_number(100000));
   command
       .add_option(

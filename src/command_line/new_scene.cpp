@@ -3,15 +3,14 @@
 #include <geodrop/base/error.hpp>
 #include <geodrop/base/input_file.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <vector>
 
 #include "base/atomic_file.hpp"
 #include "base/nearest_name.hpp"
-#include "bench/machine.hpp"
 #include "option_errors.hpp"
+#include "scene_file.hpp"
 
 namespace geodrop {
 namespace {
@@ -134,15 +133,11 @@ constexpr OptionErrors new_scene_errors{"geodrop new"};
 /// A file, or a case by its name.
 std::string text_of_case(const std::string& from) {
   if (fs::is_regular_file(from)) return read_input(from, "--from", "a scene");
-  const fs::path cases = find_in_tree("cases");
   std::vector<std::string> names;
-  if (!cases.empty())
-    for (const auto& entry : fs::recursive_directory_iterator(cases)) {
-      if (entry.path().extension() != ".toml") continue;
-      if (entry.path().stem() == from) return read_input(entry.path(), "--from", "a scene");
-      names.push_back(entry.path().stem());
-    }
-  std::ranges::sort(names);
+  for (const fs::path& file : shipped_cases()) {
+    if (file.stem() == from) return read_input(file, "--from", "a scene");
+    names.push_back(file.stem());
+  }
   const std::string nearest = nearest_name(from, names);
   new_scene_errors.refuse(
       "--from", '"' + from + '"',

@@ -10,6 +10,7 @@
 
 #include "base/shell_command.hpp"
 #include "only_if.hpp"
+#include "scene_file.hpp"
 #include "threads.hpp"
 
 namespace geodrop {
@@ -38,7 +39,7 @@ CLI::Validator steps() {
 }  // namespace
 
 void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
-  command.add_option("scene", scene, "scene file (TOML, see docs/scene.md)")->required();
+  add_scene_argument(command, scene)->required();
   command.add_option("--set", overrides, "override a key of the scene, e.g. --set grid.spacing=0.125")
       ->take_all()
       ->expected(1);

@@ -3,12 +3,13 @@
 #include <omp.h>
 
 #include "only_if.hpp"
+#include "scene_file.hpp"
 
 namespace geodrop {
 
 void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
   SweepOptions& options = arguments.options;
-  command.add_option("scene", options.scene, "scene file (TOML, see docs/scene.md)")->required();
+  add_scene_argument(command, options.scene)->required();
   command
       .add_option("--vary", arguments.vary,
                   "a key of the scene and its values: KEY=FROM:TO:COUNT, KEY=FROM:TO:COUNT:log (equal factors) or "

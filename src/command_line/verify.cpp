@@ -1,13 +1,14 @@
 #include "verify.hpp"
 
 #include "result_directory.hpp"
+#include "scene_file.hpp"
 
 #include <geodrop/verify/verify.hpp>
 
 namespace geodrop {
 
 void add_verify_options(CLI::App& command, VerifyArguments& arguments) {
-  command.add_option("scenes", arguments.scenes, "scene files with a [[verify]] (default: all of cases/)");
+  names_scene(command.add_option("scenes", arguments.scenes, "scene files with a [[verify]] (default: all of cases/)"));
   auto* quick = command.add_flag("--quick", arguments.quick, "only the quick runs of each case (default)");
   command.add_flag("--full", arguments.full, "the runs of all resolutions")->excludes(quick);
   command.add_option("--only", arguments.only, "only cases whose name contains this");
