@@ -79,6 +79,7 @@ struct Section {
   std::string_view heading;
   std::string_view id_key;  ///< key that names an element of a list of tables
   std::string_view about;
+  std::string_view example;  ///< TOML: a part of a scene in which the section occurs
   std::vector<Key> keys;
   std::function<void(void* target, SourceRef at)> place = {};  ///< notes where the table stands
   /// Fills what follows from several keys of the complete table.

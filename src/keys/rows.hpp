@@ -50,9 +50,9 @@ struct Word {
 /// A section whose rows fill an S.
 template <class S>
 struct SectionOf : Section {
-  SectionOf(std::string_view title, std::string_view named_by, std::string_view text, std::vector<Key> rows,
-            void (*derive_from)(S&, const toml::table&) = nullptr)
-      : Section{title, named_by, text, std::move(rows)} {
+  SectionOf(std::string_view title, std::string_view named_by, std::string_view text, std::string_view shown,
+            std::vector<Key> rows, void (*derive_from)(S&, const toml::table&) = nullptr)
+      : Section{title, named_by, text, shown, std::move(rows)} {
     if constexpr (requires(S s) { s.at; }) place = [](void* target, SourceRef at) { static_cast<S*>(target)->at = at; };
     if (derive_from)
       derive = [derive_from](void* target, const toml::table& complete) {

@@ -25,6 +25,8 @@ against (`src/reader/sections/`), so it says what the program does.
 - Numbers are finite, unless their row says that they may be `inf`.
 - `dimension = 2` is plane strain in x and y, per metre of depth; `dimension = 3` is space. Points have as many numbers as
   the scene has dimensions. The last axis is the vertical one: y in 2D, z in 3D.
+- Each section begins with an example, a part of a scene. What it names and does not have (`water`, `sand`, `bag`, `bed`, `geotextile`) is
+  in the scene that `geodrop new` writes (of a surface: `geodrop new --from pillow_3d`); a test puts each example into it.
 
 Further checks, across keys: the spacing divides the domain (walls stand on grid lines) along axes without
 a zone of finer cells; such a zone lies inside the domain, has finer cells than the grid, and neither periodic walls nor
@@ -85,6 +87,7 @@ std::string scene_reference_markdown() {
   std::string page(kOpening);
   for (const Section* section : section_table()) {
     page += "\n## " + std::string(section->heading) + "\n\n" + std::string(section->about) + "\n\n";
+    page += "```toml\n" + std::string(section->example) + "\n```\n\n";
     page += "| key | value | unit | default | only with | meaning |\n|---|---|---|---|---|---|\n";
     for (const Key& key : section->keys) page += row(key);
   }

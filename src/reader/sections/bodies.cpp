@@ -15,7 +15,12 @@ SectionOf<Shape> shape_section() {
   constexpr RowsOf<Shape> key;
   return {
       "shape of a body", "",
-      "An inline table; `type` says which keys it has.", {
+      "An inline table; `type` says which keys it has.",
+      R"([[bodies]]
+name = "bag"
+material = "sand"
+shape = { type = "polygon", points = [[-1.0, 4.0], [1.0, 4.0], [0.7, 5.0], [-0.7, 5.0]] }
+initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effective_pressure = 2000.0 })", {
       key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipse", EllipseShape{}}, {"polygon", PolygonShape{}}, {"half_plane", HalfPlaneShape{}}}, required, "which shape").in(2),
       key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipsoid", EllipseShape{}}, {"half_space", HalfPlaneShape{}}, {"inside", InsideShape{}}}, required, "which shape; inside: what a membrane encloses as it is drawn").in(3),
       key("lower", &BoxShape::lower, "m", required, any, "lower corner").only("type=box"),
@@ -34,7 +39,13 @@ SectionOf<BodySpec> bodies_section() {
   constexpr RowsOf<BodySpec> key;
   return {
       "[[bodies]]", "name",
-      "One table for each body: a shape filled with particles of one material.", {
+      "One table for each body: a shape filled with particles of one material.",
+      R"([[bodies]]
+name = "bag"
+material = "sand"
+shape = { type = "ellipse", centre = [0.0, 4.5], semi_axes = [1.0, 0.5] }
+layers = 8
+initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effective_pressure = 2000.0 })", {
       key("name", &BodySpec::name, required, identifier, "heads the body's columns in history.csv"),
       key("material", &BodySpec::material, required, reference, "a name in materials"),
       key.table("shape", &BodySpec::shape, shape_section(), required, "where the body is at the start"),

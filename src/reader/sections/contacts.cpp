@@ -16,7 +16,10 @@ SectionOf<RigidShape> rigid_shape_section() {
       "An inline table; `type` says which keys it has. What comes beside the segment of a capsule or a polyline stays "
       "on the side on which it came, down to twice the radius deep. What is inside a box or polygon leaves it the "
       "nearest way, and so in space a box or prism: parts thinner than a cell do not hold. In an inner corner both faces push, at an outer one the corner "
-      "does.", {
+      "does.",
+      R"([[rigid]]
+name = "slope"
+shape = { type = "polyline", points = [[-4.0, 1.5], [-2.0, 0.5], [0.0, 0.2]], radius = 0.15 })", {
       key("type", itself<RigidShape>, {{"half_plane", HalfPlaneShape{}}, {"capsule", CapsuleShape{}}, {"box", BoxShape{}}, {"polygon", PolygonShape{}}, {"polyline", PolylineShape{}}}, required, "which shape; capsule: a segment with rounded ends; polyline: a line of such segments").in(2),
       key("type", itself<RigidShape>, {{"half_space", HalfPlaneShape{}}, {"box", BoxShape{}}, {"prism", PrismShape{}}}, required, "which shape; prism: a polygon in a plane across x, drawn out along x").in(3),
       key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
@@ -36,7 +39,11 @@ SectionOf<RigidMotion> rigid_motion_section() {
   constexpr RowsOf<RigidMotion> key;
   return {
       "motion of a rigid body", "",
-      "An inline table; `type` says which keys it has.", {
+      "An inline table; `type` says which keys it has.",
+      R"([[rigid]]
+name = "port"
+shape = { type = "capsule", from = [-0.15, 5.0], to = [-2.5, 6.5], radius = 0.15 }
+motion = { type = "hinge", centre = [0.0, 6.5], rate = -0.1, stop_angle_deg = 30.0 })", {
       key("type", itself<RigidMotion>, {{"none", std::monostate{}}, {"hinge", HingeMotionSpec{}}, {"translation", TranslationMotionSpec{}}, {"table", TableMotionSpec{}}}, required, "hinge: rotation at a constant rate; translation: at a constant velocity; table: either, piecewise linear in time"),
       key("rate", &HingeMotionSpec::rate, "rad/s", required, not_zero, "anticlockwise; in space from y to z").only("type=hinge"),
       key("stop_angle_deg", &HingeMotionSpec::stop_angle_deg, "degree", required, positive, "how far it turns, in either sense").only("type=hinge"),
@@ -54,7 +61,10 @@ SectionOf<RigidSpec> rigid_section() {
   constexpr RowsOf<RigidSpec> key;
   return {
       "[[rigid]]", "name",
-      "Rigid ground, walls and hulls; only what `contacts` names notices them.", {
+      "Rigid ground, walls and hulls; only what `contacts` names notices them.",
+      R"([[rigid]]
+name = "quay"
+shape = { type = "box", lower = [3.0, 0.0], upper = [4.0, 6.5] })", {
       key("name", &RigidSpec::name, required, identifier, "what contacts refer to"),
       key.table("shape", &RigidSpec::shape, rigid_shape_section(), required, "where it is"),
       key.table("motion", &RigidSpec::motion, rigid_motion_section(), standard("{ type = \"none\" }"), "how it moves; a half-space does not turn"),
@@ -70,7 +80,18 @@ SectionOf<ContactSpec> contacts_section() {
       "[[contacts]]", "",
       "Surface contact of a membrane's nodes, or of the particles of a body without membrane, with a rigid body, "
       "and of membranes with each other or their own folds: penalty normal to the surface, Coulomb friction along "
-      "it.", {
+      "it.",
+      R"([[rigid]]
+name = "quay"
+shape = { type = "box", lower = [3.0, 0.0], upper = [4.0, 6.5] }
+
+[[contacts]]
+between = ["geotextile", "quay"]
+friction = 0.3
+
+[[contacts]]
+between = ["geotextile", "geotextile"]  # of its folds
+friction = 0.3)", {
       key("between", between, required, reference, "in any order a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds"),
       key("friction", &ContactSpec::friction, "", required, not_negative, "coefficient of Coulomb friction"),
       key("stiffness", &ContactSpec::stiffness, "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body that touches, h the cell. The step is at most h / (c sqrt(2 stiffness))"),

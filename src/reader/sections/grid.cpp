@@ -17,7 +17,12 @@ SectionOf<RefineSpec> grid_refine_section() {
       "grow by `growth` from one to the next until they are `spacing` of the grid wide; all are scaled down a "
       "little, so that a whole number of them fits. Where they stand then is no concern of bodies: cells that an "
       "outline cuts get particles of their share. The time step is that of the finest cell, and membranes have "
-      "nodes that suit it.", {
+      "nodes that suit it.",
+      R"([[grid.refine]]
+axis = "x"
+from = -1.5
+to = 1.5
+spacing = 0.125)", {
       key("axis", &RefineSpec::axis, {{"x", 0}, {"y", 1}}, required, "along which cells are finer").in(2),
       key("axis", &RefineSpec::axis, {{"x", 0}, {"y", 1}, {"z", 2}}, required, "along which cells are finer").in(3),
       key("from", &RefineSpec::from, "m", required, any, "where the zone begins"),
@@ -31,7 +36,11 @@ SectionOf<GridSpec> grid_section() {
   constexpr RowsOf<GridSpec> key;
   return {
       "[grid]", "",
-      "The domain and its cells. Walls stand on the domain's edges, which are grid lines.", {
+      "The domain and its cells. Walls stand on the domain's edges, which are grid lines.",
+      R"([grid]
+lower = [-4.0, -1.0]
+upper = [4.0, 7.0]
+spacing = 0.125)", {
       key("lower", &GridSpec::lower, "m", required, any, "lower corner of the domain"),
       key("upper", &GridSpec::upper, "m", required, any, "upper corner of the domain"),
       key("spacing", &GridSpec::spacing, "m", required, positive, "cell size h; it divides the domain (along axes that are not refined)"),
@@ -51,7 +60,12 @@ SectionOf<WallsSpec> walls_section() {
       "directions, slip in the normal one, also where it would pull away (there is no separation). Of two opposite "
       "walls both or neither are periodic: what leaves on one side comes in at the other. Such an axis has at least "
       "5 cells, and the scene no membranes. Between two sorts particles may be up to a cell beyond a periodic wall; "
-      "positions of tracers run on across it.", {
+      "positions of tracers run on across it.",
+      R"([walls]
+left = "slip"
+right = "slip"
+bottom = "no_slip"
+top = "slip")", {
       key("left", lower, {{"slip", WallKind::slip}, {"no_slip", WallKind::no_slip}, {"periodic", WallKind::periodic}}, required, "wall at the lower x; never lets go"),
       key("right", upper, {{"slip", WallKind::slip}, {"no_slip", WallKind::no_slip}, {"periodic", WallKind::periodic}}, required, "wall at the upper x; never lets go"),
       key("front", lower, {{"slip", WallKind::slip}, {"no_slip", WallKind::no_slip}, {"periodic", WallKind::periodic}}, required, "wall at the lower y; never lets go").in(3),

@@ -8,7 +8,13 @@ SectionOf<InitialVelocity> initial_velocity_section() {
   constexpr RowsOf<InitialVelocity> key;
   return {
       "initial_velocity of a body", "",
-      "An inline table; `type` says which keys it has.", {
+      "An inline table; `type` says which keys it has.",
+      R"([[bodies]]
+name = "bag"
+material = "sand"
+shape = { type = "ellipse", centre = [0.0, 4.5], semi_axes = [1.0, 0.5] }
+initial_velocity = { type = "uniform", value = [0.0, -1.0] }
+initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effective_pressure = 2000.0 })", {
       key("type", itself<InitialVelocity>, {{"rest", UniformVelocitySpec{}}, {"uniform", UniformVelocitySpec{}}, {"bar_first_mode", BarFirstModeSpec{}}, {"linear", LinearVelocitySpec{}}, {"pulse", PulseVelocitySpec{}}, {"exact", FromExactSpec{}}}, required, "which field; linear: v = gradient (x - centre); pulse: v = value cos^2(pi (x - centre) / width) along an axis, at rest beyond half the width; exact: of the solution that the body follows"),
       key("value", Either(&UniformVelocitySpec::value, &PulseVelocitySpec::value), "m/s", required, any, "velocity of all particles; of those in the middle of the pulse").only("type=uniform|pulse"),
       key("amplitude", &BarFirstModeSpec::amplitude, "m/s", required, any, "velocity of the free end: v = amplitude sin(pi x / (2 length))").only("type=bar_first_mode"),
@@ -25,7 +31,12 @@ SectionOf<InitialStress> initial_stress_section() {
   constexpr RowsOf<InitialStress> key;
   return {
       "initial_stress of a body", "",
-      "An inline table; `type` says which keys it has.", {
+      "An inline table; `type` says which keys it has.",
+      R"([[bodies]]
+name = "bed"
+material = "sand"
+shape = { type = "box", lower = [-4.0, -1.0], upper = [4.0, 0.0] }
+initial_stress = { type = "k0", surface = 0.0, k0 = 0.5, under = "fluid", fluid = "water", fluid_surface = 6.0 })", {
       key("type", itself<InitialStress>, {{"zero", ZeroStressSpec{}}, {"hydrostatic", HydrostaticSpec{}}, {"k0", K0StressSpec{}}, {"fluid_pressure", FluidPressureSpec{}}, {"uniform", UniformPressureSpec{}}, {"exact", FromExactSpec{}}}, required, "hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around, in drained soil as effective stress; uniform: the same pressure everywhere, in a solid as effective stress; exact: of the solution that the body follows"),
       key("pressure", &UniformPressureSpec::pressure, "Pa", required, any, "compression positive").only("type=uniform"),
       key("fluid", Either(&HydrostaticSpec::fluid, [](FluidPressureSpec& around, const std::string& name) { around.fluid.fluid = name; }), required, reference, "the newtonian material of the still fluid").only("type=hydrostatic|fluid_pressure"),
@@ -44,7 +55,12 @@ SectionOf<ExactSpec> exact_section() {
   return {
       "[[exact]]", "body",
       "Exact solutions that bodies follow; the formulas stand in include/geodrop/solutions/exact.hpp. `axis_aligned_mms`, "
-      "`generalized_vortex` and `oscillating_drop` come with the body force that they need.", {
+      "`generalized_vortex` and `oscillating_drop` come with the body force that they need.",
+      R"([[exact]]
+body = "water"
+type = "taylor_green"
+speed = 0.5
+length = 2.0)", {
       key("body", &ExactSpec::body, required, reference, "the body that follows the solution"),
       key("type", &ExactSpec::solution, {{"axis_aligned_mms", AxisAlignedMmsSpec{}}, {"taylor_green", TaylorGreenSpec{}}, {"uniform_motion", UniformMotionSpec{}}, {"bar_first_mode", BarFirstModeSpec{}}, {"generalized_vortex", GeneralizedVortexSpec{}}, {"oscillating_drop", OscillatingDropSpec{}}}, required, "axis_aligned_mms: a neo-Hookean block that swings along each axis; generalized_vortex: a neo-Hookean one with a ring that turns to and fro; taylor_green: decaying vortices of water; oscillating_drop: a round drop of water about the origin that a central force draws together (2D); uniform_motion: a stretched solid that drifts unchanged; bar_first_mode: a linear elastic bar, fixed at coordinate 0"),
       key("amplitude", &AxisAlignedMmsSpec::amplitude, "m", required, positive, "A of u = A sin(2 pi X / length); 2 pi A / length is below 1").only("type=axis_aligned_mms"),

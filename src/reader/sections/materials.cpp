@@ -35,7 +35,29 @@ SectionOf<MaterialSpec> materials_section() {
   constexpr RowsOf<MaterialSpec, &MaterialSpec::model> key;
   return {
       "[materials.NAME]", "",
-      "One table for each material; NAME is what bodies refer to.", {
+      "One table for each material; NAME is what bodies refer to.",
+      R"([materials.slurry]
+model = "newtonian"
+density = 1200.0
+sound_speed = 60.0  # about ten times the fastest motion
+viscosity = 1.0
+
+[materials.dredged_sand]
+model = "mohr_coulomb"
+grain_density = 2650.0
+porosity = 0.4
+saturation = 1.0
+fluid_density = 1000.0
+youngs_modulus = 5.0e6
+poissons_ratio = 0.3
+cohesion = 0.0
+friction_angle_deg = 32.0
+dilatancy_angle_deg = 0.0
+tension_cutoff = 0.0
+void_memory = true  # torn apart in the fall, closed again on the bed
+drainage = "undrained"
+water_bulk_modulus = 40.0e6  # reduced: 20 times the skeleton's is enough
+gas_pressure = 1.0e5)", {
       key("model", &MaterialSpec::model, {{"newtonian", NewtonianSpec{}}, {"linear_elastic", LinearElasticSpec{}}, {"mohr_coulomb", MohrCoulombSpec{}}, {"neo_hookean", NeoHookeanSpec{}}}, required, "constitutive law"),
       key("density", Either(&NewtonianSpec::density, &LinearElasticSpec::density, &NeoHookeanSpec::density), "kg/m3", required, positive, "of a fluid: at zero pressure; neo_hookean: unstrained").only("model=newtonian|linear_elastic|neo_hookean"),
       key("density", &MohrCoulombSpec::density, "kg/m3", instead_of("grain_density"), positive, "of the mixture of grains and what fills the pores, at the start; coupled: of the skeleton alone, (1 - n) rho_s").only("model=mohr_coulomb"),

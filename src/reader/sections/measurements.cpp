@@ -35,7 +35,19 @@ SectionOf<ProbeSpec> section_of(std::type_identity<std::variant<Probe...>>) {
   std::vector<Key> keys{key("type", &ProbeSpec::probe, {{Probe::word, Probe{}}...}, required, meanings),
                         key("name", set_name, required, identifier, "heads the probe's columns in history.csv")};
   (add_rows<Probe>(keys), ...);
-  return {"[[probes]]", "name", "What is measured beside the standard columns of history.csv.", keys};
+  return {"[[probes]]", "name", "What is measured beside the standard columns of history.csv.", R"([[probes]]
+name = "foot"
+type = "tracer"
+position = [0.0, 4.1]
+
+[[probes]]
+name = "still"
+type = "hydrostatic"
+body = "water"
+fluid = "water"
+surface = 6.0
+tips_of = "geotextile")",
+          keys};
 }
 
 }  // namespace
@@ -47,7 +59,18 @@ SectionOf<ResultSpec> results_section() {
   constexpr RowsOf<ResultSpec> key;
   return {
       "[[results]]", "name",
-      "Numbers that a run ends with: a column of history.csv reduced to one value.", {
+      "Numbers that a run ends with: a column of history.csv reduced to one value.",
+      R"([[results]]
+name = "time_to_land_s"
+column = "bag.lowest_m"
+reduce = "first_time_below"
+level = 0.0
+
+[[results]]
+name = "tension_fall_max_N_m"
+column = "geotextile.tension_gauge_N_m"
+reduce = "max"
+before = "time_to_land_s")", {
       key("name", &ResultSpec::name, required, identifier, "ends in its unit, e.g. fall_velocity_max_m_s"),
       key("column", &ResultSpec::column, required, filled, "a column of history.csv, e.g. container.velocity_y_m_s"),
       key("reduce", &ResultSpec::reduce, {{"last", Reduction::last}, {"min", Reduction::min}, {"max", Reduction::max}, {"mean", Reduction::mean}, {"rms", Reduction::rms}, {"percentile", Reduction::percentile}, {"period", Reduction::period}, {"first_time_below", Reduction::first_time_below}, {"rms_difference", Reduction::rms_difference}, {"r_squared", Reduction::r_squared}, {"slope", Reduction::slope}}, required, "how the column becomes one number; slope: change per second of the straight line that fits best"),
@@ -68,7 +91,12 @@ SectionOf<ExpectSpec> expect_section() {
   constexpr RowsOf<ExpectSpec> key;
   return {
       "[[expect]]", "result",
-      "What a result should be, and says who; a run prints both side by side.", {
+      "What a result should be, and says who; a run prints both side by side.",
+      R"([[expect]]
+result = "fall_velocity_max_m_s"
+expected = 2.3
+tolerance = 0.2
+source = "measured")", {
       key("result", &ExpectSpec::result, required, reference, "a name in results"),
       key("expected", &ExpectSpec::expected, "", required, any, "in the unit of the result"),
       key("tolerance", &ExpectSpec::tolerance, "", required, not_negative, "met if |value - expected| <= tolerance; a largest tension must be in balance as well (docs/step.md, membranes_to_grid)"),
@@ -81,7 +109,13 @@ SectionOf<VerifySpec> verify_section() {
   return {
       "[[verify]]", "result",
       "What `geodrop verify` judges the scene by: a result beside its reference. The error is |value - expected| "
-      "over `scale`.", {
+      "over `scale`.",
+      R"([[verify]]
+result = "fall_velocity_max_m_s"
+what = "velocity of the fall"
+expected = 2.3
+target = 0.1
+source = "measured")", {
       key("result", &VerifySpec::result, required, reference, "a name in results"),
       key("over", &VerifySpec::over, standard("\"\""), free_text, "another result that this one is divided by first, e.g. the wave that comes in; empty: none"),
       key("what", &VerifySpec::what, required, filled, "what the error is of, in words"),
@@ -103,7 +137,22 @@ SectionOf<VariantSpec> variants_section() {
   return {
       "[[variants]]", "",
       "The runs that `geodrop verify` makes of the scene, from coarse to fine; none: one, of the scene as it "
-      "stands. The last one that is no control has to meet the targets.", {
+      "stands. The last one that is no control has to meet the targets.",
+      R"([[verify]]
+result = "fall_velocity_max_m_s"
+what = "velocity of the fall"
+expected = 2.3
+target = 0.1
+source = "measured"
+
+[[variants]]
+name = "h = 0.25 m"
+set = ["grid.spacing=0.25"]
+
+[[variants]]
+name = "h = 0.125 m"
+set = ["grid.spacing=0.125"]
+in = "full")", {
       key("name", &VariantSpec::name, required, filled, "e.g. h = 0.1 m"),
       key("set", &VariantSpec::set, standard("[]"), free_text, "overrides, each as after --set: \"grid.spacing=0.1\""),
       key("in", &VariantSpec::in, {{"quick", VerifyMode::quick}, {"full", VerifyMode::full}, {"both", VerifyMode::both}}, standard("\"both\""), "which of `geodrop verify --quick` and `--full` makes this run"),

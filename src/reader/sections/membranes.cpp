@@ -20,7 +20,15 @@ SectionOf<SurfaceSpec> surface_section() {
   return {
       "surface of a membrane in space", "",
       "An inline table; `type` says which keys it has. Two flat pieces of cloth that are sewn together are drawn a "
-      "little open, and their tension is that of the flat cloth.", {
+      "little open, and their tension is that of the flat cloth.",
+      R"([[membranes]]
+name = "pillow"
+surface = { type = "capsule", from = [-0.3, 0.0, 0.0], to = [0.3, 0.0, 0.0], radius = 0.25 }
+axial_stiffness = 1.0e6
+mass_per_area = 0.6
+strength = 120.0e3
+slack = 0.0
+gauge_pressure = 5000.0)", {
       key("type", itself<SurfaceSpec>, {{"sphere", EllipsoidSurface{}}, {"ellipsoid", EllipsoidSurface{}}, {"capsule", CapsuleSurface{}}, {"pillow", PillowSurface{}}, {"disc_pillow", DiscPillowSurface{}}, {"file", FileSurface{}}}, required, "which surface; capsule: a cylinder with hemispherical caps; pillow, disc_pillow: two rectangles, two discs sewn together along their rims; file: any closed surface").in(3),
       key("centre", Either(&EllipsoidSurface::centre, &PillowSurface::centre, &DiscPillowSurface::centre), "m", required, any, "centre").only("type=sphere|ellipsoid|pillow|disc_pillow").in(3),
       key("semi_axes", &EllipsoidSurface::semi_axes, "m", required, positive, "half lengths of the axes along x, y, z").only("type=ellipsoid").in(3),
@@ -40,7 +48,17 @@ SectionOf<MembraneSpec> membranes_section() {
       "[[membranes]]", "name",
       "Tension-only geotextiles. In the plane they lie on the outline of a body, and without stiffness and mass a "
       "membrane is a skin, which marks the outline that contacts act on. In space they are closed surfaces of "
-      "triangles, glued to what is inside, empty or around a body of shape `inside`.", {
+      "triangles, glued to what is inside, empty or around a body of shape `inside`.",
+      R"([[membranes]]
+name = "geotextile"
+body = "bag"
+axial_stiffness = 1.0e6  # 120 kN/m at a strain of 12 %
+mass_per_area = 0.6
+strength = 120.0e3
+slack = 0.02  # 2 % longer than drawn
+interface = "sharp"
+shear = "rough_wall"
+roughness = 0.003)", {
       key("name", &MembraneSpec::name, required, identifier, "heads the membrane's columns in history.csv"),
       key("body", &MembraneSpec::body, required, reference, "the body on whose outline it lies").in(2),
       key("points", &MembraneSpec::points, "m", standard("[]"), any, "the polyline, each point on the body's outline; empty: the whole outline").in(2),

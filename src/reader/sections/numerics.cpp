@@ -27,7 +27,11 @@ SectionOf<SolverSpec> solver_section() {
   constexpr RowsOf<SolverSpec> key;
   return {
       "[solver]", "",
-      "The scheme.", {
+      "The scheme.",
+      R"([solver]
+transfer = "blend"
+blend_rate = 10.0
+courant = 0.3  # water splashes)", {
       key("transfer", &SolverSpec::transfer, {{"tpic", Transfer::tpic}, {"blend", Transfer::blend}, {"musl", Transfer::musl}}, required, "tpic: particle velocity and its gradient from the grid; blend: tpic that keeps part of the particle's own velocity; musl: like blend without the gradient, strains from the particles' new velocity (the only one on tri3, tet4). For soil, quasi-static loading and water at rest tpic; for dumping, waves and vortices blend (docs/verification.md)"),
       key("blend_rate", &SolverSpec::blend_rate, "1/s", required, not_negative, "lambda; particles keep exp(-lambda dt) of their own velocity each step; 0: all of it (FLIP)").only("transfer=blend|musl"),
       key("mass_matrix", &SolverSpec::mass_matrix, {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}}, standard("\"lumped\""), "lumped: nodes move by their own mass; consistent: corrected for lumping, which lowers the frequency of waves by about (k h)^2 / 8 (bspline2 and linear only)"),
@@ -43,7 +47,11 @@ SectionOf<RelaxationSpec> relaxation_section() {
   return {
       "[relaxation]", "",
       "Dynamic relaxation to a state at rest; both ratios have to hold over three cycles of kinetic damping in a "
-      "row.", {
+      "row.",
+      R"([relaxation]
+damping = "kinetic"
+kinetic_ratio = 0.01
+out_of_balance_ratio = 0.02)", {
       key("damping", &RelaxationSpec::damping, {{"none", RelaxationSpec::Damping::none}, {"kinetic", RelaxationSpec::Damping::kinetic}}, required, "kinetic: all velocities are set to zero at each peak of the kinetic energy, and the run ends once both ratios are met"),
       key("kinetic_ratio", &RelaxationSpec::kinetic_ratio, "", required, positive, "kinetic energy over the work done by gravity, or against it, to be reached").only("damping=kinetic"),
       key("out_of_balance_ratio", &RelaxationSpec::out_of_balance_ratio, "", required, positive, "norm of the forces out of balance over that of the weight, to be reached").only("damping=kinetic"),
@@ -54,7 +62,9 @@ SectionOf<TimeSpec> time_section() {
   constexpr RowsOf<TimeSpec> key;
   return {
       "[time]", "",
-      "How long to run.", {
+      "How long to run.",
+      R"([time]
+end = 4.0)", {
       key("end", &TimeSpec::end, "s", required, positive, "simulated time; the run ends with the first step that reaches it, up to one step later (no step is shortened)"),
   }};
 }
@@ -63,7 +73,11 @@ SectionOf<Scene> output_section() {
   constexpr RowsOf<Scene> key;
   return {
       "[output]", "",
-      "What is written, how often.", {
+      "What is written, how often.",
+      R"([output]
+frame_interval = 0.1
+history_interval = 0.01
+fields = ["velocity", "stress"])", {
       key("frame_interval", [](Scene& scene, double interval) { scene.output.frame_interval = interval; }, "s", required, positive, "time between pictures (VTU frames), at least 1e-9 of time.end; one is written at the first step at or after each multiple"),
       key("history_interval", [](Scene& scene, double interval) { scene.output.history_interval = interval; }, "s", required, positive, "time between rows of history.csv, likewise"),
       key("compress", [](Scene& scene, bool compress) { scene.output.compress = compress; }, standard("true"), "compress the files of frames (zlib): a fifth to a half of the bytes"),
@@ -78,7 +92,16 @@ SectionOf<StageSpec> stages_section() {
   return {
       "[[stages]]", "name",
       "Parts of a run in time order; each lasts until the next one begins, the last until time.end. A body that a "
-      "stage `places` is not there before.", {
+      "stage `places` is not there before.",
+      R"([[stages]]
+name = "settle"
+from = 0.0
+damping_rate = 8.0
+
+[[stages]]
+name = "drop"
+from = 0.5
+places = ["bag"])", {
       key("name", &StageSpec::name, required, identifier, "what happens in it"),
       key("from", &StageSpec::from, "s", required, not_negative, "when it begins; the first one at 0"),
       key("damping_rate", &StageSpec::damping_rate, "1/s", standard("0.0"), not_negative, "mass-proportional damping of velocity in this stage; never damp an impact"),

@@ -28,7 +28,11 @@ SectionOf<Scene> top_level() {
   constexpr RowsOf<Scene> key;
   return {
       "Top level", "",
-      "What the scene is about, and its tables.", {
+      "What the scene is about, and its tables.",
+      R"(title = "A geocontainer dropped in 6 m of water"
+question = "How fast does it fall, and what does its geotextile bear?"
+dimension = 2
+gravity = [0.0, -9.81])", {
       key("title", &Scene::title, required, filled, "what the scene shows, in a few words"),
       key("question", &Scene::question, standard("\"\""), free_text, "what this case asks"),
       key("start_from", &Scene::start_from, standard("\"\""), free_text, "the directory of another run, from where geodrop is started: bodies and membranes of the same name begin as its newest checkpoint has them, whatever their shape, velocity and stress say here; everything else, time too, begins anew. \"\": none"),
