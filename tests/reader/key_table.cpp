@@ -243,6 +243,11 @@ TEST_CASE("what depends on a wrong key is not complained about") {
     CHECK_FALSE(error.empty());
     CHECK(error.find('\n') == std::string::npos);
   }
+  // A soil that is cut out of the water around it, and whose pore water has its shape.
+  const std::string error = scene_error(source_path("cases/dump_kekerdom.toml"), {"bodies.container.shape.type=bag"});
+  CAPTURE(error);
+  CHECK(error.find("bodies.container.shape.type: found \"bag\"") != std::string::npos);
+  CHECK(error.find('\n') == std::string::npos);
 }
 
 TEST_CASE("rows are well formed") {

@@ -75,6 +75,8 @@ void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& wate
   if (has_inertial_drag(scene, soil))
     report.add("materials." + soil.material + ".forchheimer_coefficient",
                "Forchheimer's drag for \"" + soil.name + "\" in a sharp membrane", "0 there: Darcy's law");
+  const std::string& water_key = report.element("bodies", static_cast<std::size_t>(&water - scene.bodies.data()));
+  if (!report.healthy(key + ".shape") || !report.healthy(water_key + ".shape")) return;
   const bool covers = water.shape == soil.shape && water.minus == soil.minus;
   const auto soils = std::count_if(scene.bodies.begin(), scene.bodies.end(),
                                    [&](const BodySpec& other) { return other.saturated_by == water.name; });

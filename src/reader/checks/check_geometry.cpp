@@ -108,7 +108,14 @@ class PlacementCheck {
 
   bool is_ready(std::size_t i) const {
     const bool drawn = !std::holds_alternative<InsideShape>(body(i).shape) || shape_is_sound(body(i).shape);
-    return drawn && report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus");
+    return drawn && report_.healthy(key(i) + ".shape") && report_.healthy(key(i) + ".minus") && cuts_are_known(i);
+  }
+
+  /// No body in its minus has a shape with a mistake, which would not cut anything.
+  bool cuts_are_known(std::size_t i) const {
+    for (std::size_t j = 0; j < scene_.bodies.size(); ++j)
+      if (cuts(i, j) && !report_.healthy(key(j) + ".shape")) return false;
+    return true;
   }
 
   /// A stage places body i: what is at its place now may be gone by then.
