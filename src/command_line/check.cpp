@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "asked_scene.hpp"
 #include "base/json.hpp"
 #include "doubts/doubts.hpp"
 #include "exit_codes.hpp"
@@ -60,6 +61,7 @@ int check_for_programs(const CheckArguments& arguments) {
     effort = json_of(estimate_effort(scene, 1));
   } catch (const SceneError& error) {
     problems = json_of(error.problems());
+    warnings = doubts_beside_mistakes(arguments.scene, arguments.overrides);
     code = exit_usage;
   }
   std::cout << json_text({{"file", arguments.scene},
@@ -106,7 +108,7 @@ void add_info_options(CLI::App& command, CheckArguments& arguments) {
 
 int run_check(const CheckArguments& arguments) {
   if (arguments.json) return check_for_programs(arguments);
-  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  const Scene scene = asked_scene(arguments.scene, arguments.overrides);
   check_results(scene);
   check_first_step(scene);
   std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "

@@ -1,6 +1,5 @@
 #include "run.hpp"
 
-#include <geodrop/reader/scene_reader.hpp>
 #include <geodrop/step/run.hpp>
 
 #include <omp.h>
@@ -8,6 +7,7 @@
 #include <charconv>
 #include <optional>
 
+#include "asked_scene.hpp"
 #include "base/shell_command.hpp"
 #include "only_if.hpp"
 #include "scene_file.hpp"
@@ -77,7 +77,7 @@ int start_run(const RunArguments& arguments, const std::vector<std::string>& com
   options.resume_command = resume_command(command);
   options.parts = step_window(arguments.parts);
   omp_set_num_threads(options.threads);
-  return run_scene(read_scene(arguments.scene, arguments.overrides), options, arguments.verify);
+  return run_scene(asked_scene(arguments.scene, arguments.overrides), options, arguments.verify);
 }
 
 }  // namespace geodrop

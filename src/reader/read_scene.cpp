@@ -4,6 +4,7 @@
 #include "former_words.hpp"
 #include "overrides.hpp"
 #include "parse_scene.hpp"
+#include "read_despite_mistakes.hpp"
 #include "reader/checks/check_scene.hpp"
 #include "setup/draw_surface.hpp"
 #include "write_scene.hpp"
@@ -50,17 +51,32 @@ void make_paths_absolute(const std::string& path, toml::table& complete) {
   }
 }
 
+/// What the values of a file and overrides are filled into, and what is wrong with them.
+struct Reading {
+  Scene scene;
+  toml::table complete;  ///< with all defaults
+  Report report;
+  ParsedScene parsed;
+};
+
+Reading read_values(const std::string& path, const std::vector<std::string>& overrides) {
+  Reading reading{{}, {}, {}, parse_scene(path)};
+  toml::table& written = reading.parsed.table;
+  rename_former_words(written, reading.report);
+  apply_overrides(written, overrides, reading.report);
+  rename_former_words(written, reading.report);  // in the values of overrides
+  reading.complete = complete_scene(written, reading.scene, reading.report);
+  return reading;
+}
+
 }  // namespace
 
+Scene read_despite_mistakes(const std::string& path, const std::vector<std::string>& overrides) {
+  return read_values(path, overrides).scene;
+}
+
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
-  Report report;
-  ParsedScene parsed = parse_scene(path);
-  toml::table& written = parsed.table;
-  rename_former_words(written, report);
-  apply_overrides(written, overrides, report);
-  rename_former_words(written, report);  // in the values of overrides
-  Scene scene;
-  toml::table complete = complete_scene(written, scene, report);
+  auto [scene, complete, report, parsed] = read_values(path, overrides);
   make_paths_absolute(path, complete);
   draw_surfaces(path, scene, report);
   check_scene(scene, report);
@@ -71,7 +87,7 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   scene.file = path;
   scene.notes = notes_of(path, report);
   scene.as_run = write_scene(complete);
-  return scene;
+  return std::move(scene);
 }
 
 }  // namespace geodrop
