@@ -44,9 +44,27 @@ std::size_t checkpoint_bytes(const State<Dim>& state, const OutputRecord& record
   return header + counter.total() + numbers * sizeof(double);
 }
 
-/// What is wrong, in one line.
-std::string first_problem(const SceneError& error) {
-  return error.problems().empty() ? error.what() : error.problems().front().found;
+/// One that goes on; if it does not, what is wrong with it joins `refused`.
+template <int Dim>
+std::optional<Checkpoint<Dim>> read_good(const fs::path& path, const Scene& scene, const FaultOf<Dim>& fault_of,
+                                         std::vector<SceneProblem>& refused) {
+  std::optional<Checkpoint<Dim>> found;
+  try {
+    found = read_checkpoint<Dim>(path, scene);
+  } catch (const SceneError& error) {
+    refused.push_back(error.problems().front());
+    return std::nullopt;
+  }
+  const std::string fault = fault_of ? fault_of(found->state) : "";
+  if (fault.empty()) return found;
+  refused.push_back({{}, "--resume", "a checkpoint with " + fault, "a state of this scene", ProblemSource::elsewhere});
+  return std::nullopt;
+}
+
+std::string warning_of(const std::vector<SceneProblem>& refused) {
+  if (refused.empty()) return "";
+  return std::string("warning: ") + newest_checkpoint + " is no use: " + refused.front().found +
+         "; the run goes on from the one before, " + previous_checkpoint;
 }
 
 void remove_quietly(const fs::path& path) {
@@ -57,19 +75,16 @@ void remove_quietly(const fs::path& path) {
 }  // namespace
 
 template <int Dim>
-FoundCheckpoint<Dim> find_checkpoint(const fs::path& directory, const Scene& scene) {
-  try {
-    return {read_checkpoint<Dim>(directory / newest_checkpoint, scene), newest_checkpoint, ""};
-  } catch (const SceneError& newest) {
-    if (!fs::exists(directory / previous_checkpoint)) throw;
-    try {
-      return {read_checkpoint<Dim>(directory / previous_checkpoint, scene), previous_checkpoint,
-              std::string("warning: ") + newest_checkpoint + " is no use: " + first_problem(newest) +
-                  "; the run goes on from the one before, " + previous_checkpoint};
-    } catch (const SceneError&) {
-    }
-    throw;
-  }
+FoundCheckpoint<Dim> find_checkpoint(const fs::path& directory, const Scene& scene, const FaultOf<Dim>& fault_of) {
+  std::vector<SceneProblem> refused;
+  std::optional<Checkpoint<Dim>> found = read_good<Dim>(directory / newest_checkpoint, scene, fault_of, refused);
+  if (found) return {std::move(*found), newest_checkpoint, ""};
+  if (!fs::exists(directory / previous_checkpoint)) throw SceneError(directory / newest_checkpoint, refused);
+  found = read_good<Dim>(directory / previous_checkpoint, scene, fault_of, refused);
+  if (found) return {std::move(*found), previous_checkpoint, warning_of(refused)};
+  refused.front().key = newest_checkpoint + (": " + refused.front().key);
+  refused.back().key = previous_checkpoint + (": " + refused.back().key);
+  throw SceneError(directory, refused);
 }
 
 CheckpointFiles::~CheckpointFiles() { give_room_back(); }
@@ -129,8 +144,8 @@ void CheckpointFiles::keep_newest_only() {
   give_room_back();
 }
 
-template FoundCheckpoint<2> find_checkpoint(const fs::path&, const Scene&);
-template FoundCheckpoint<3> find_checkpoint(const fs::path&, const Scene&);
+template FoundCheckpoint<2> find_checkpoint(const fs::path&, const Scene&, const FaultOf<2>&);
+template FoundCheckpoint<3> find_checkpoint(const fs::path&, const Scene&, const FaultOf<3>&);
 template void CheckpointFiles::write(const Scene&, const State<2>&, const OutputRecord&);
 template void CheckpointFiles::write(const Scene&, const State<3>&, const OutputRecord&);
 template void CheckpointFiles::keep_room(const State<2>&, const OutputRecord&, std::size_t);

@@ -22,9 +22,11 @@ struct FoundCheckpoint {
   std::string warning;  ///< why it is not the newest; empty if it is
 };
 
-/// The newest good one of a directory. Throws SceneError that says what is wrong with the newest if there is none.
+/// The newest good one of a directory: it can be read, and `fault_of` (none: nothing) finds no fault in its state. If
+/// there is none, throws SceneError that says of each file what is wrong with it.
 template <int Dim>
-FoundCheckpoint<Dim> find_checkpoint(const std::filesystem::path& directory, const Scene& scene);
+FoundCheckpoint<Dim> find_checkpoint(const std::filesystem::path& directory, const Scene& scene,
+                                     const FaultOf<Dim>& fault_of = {});
 
 /// Writes checkpoints. The disk may fill up beside a run, so the room for one more is taken beforehand, with that for
 /// the pictures that wait to be written, and is given back when a file does not fit any more.

@@ -51,12 +51,12 @@ double end_of_run(const Scene& scene, const RunOptions& options) {
 
 template <int Dim>
 struct Output<Dim>::Parts {
-  Parts(const Scene& scene_, const RunOptions& options_)
+  Parts(const Scene& scene_, const RunOptions& options_, const FaultOf<Dim>& fault_of)
       : scene(scene_),
         options(options_),
         directory(choose_directory(scene, options.directory)),
         place(take_place(scene, options, directory)),
-        resumed(check_resume<Dim>(scene, options, directory)),
+        resumed(check_resume<Dim>(scene, options, directory, fault_of)),
         console(directory / "run.log", log_mode(options.resume), options.telling),
         progress(end_of_run(scene, options), 0),
         rows_due(scene.output.history_interval),
@@ -130,7 +130,8 @@ struct Output<Dim>::Parts {
 };
 
 template <int Dim>
-Output<Dim>::Output(const Scene& scene, const RunOptions& options) : parts_(std::make_unique<Parts>(scene, options)) {
+Output<Dim>::Output(const Scene& scene, const RunOptions& options, const FaultOf<Dim>& fault_of)
+    : parts_(std::make_unique<Parts>(scene, options, fault_of)) {
   log(describe_run(scene, options));
   if (!parts_->place.notice.empty()) log(parts_->place.notice);
   if (options.end > scene.time.end)
@@ -144,11 +145,6 @@ Output<Dim>::~Output() = default;
 template <int Dim>
 const std::filesystem::path& Output<Dim>::directory() const {
   return parts_->directory;
-}
-
-template <int Dim>
-const State<Dim>& Output<Dim>::resumed_state() const {
-  return parts_->resumed.value().checkpoint.state;
 }
 
 template <int Dim>

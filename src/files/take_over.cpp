@@ -46,9 +46,9 @@ RunPlace take_place(const Scene& scene, const RunOptions& options, const std::fi
 
 template <int Dim>
 std::optional<FoundCheckpoint<Dim>> check_resume(const Scene& scene, const RunOptions& options,
-                                                 const std::filesystem::path& directory) {
+                                                 const std::filesystem::path& directory, const FaultOf<Dim>& fault_of) {
   if (!options.resume) return std::nullopt;
-  FoundCheckpoint<Dim> found = find_checkpoint<Dim>(directory, scene);
+  FoundCheckpoint<Dim> found = find_checkpoint<Dim>(directory, scene, fault_of);
   const double t = found.checkpoint.state.t;
   if (const auto end = done_at(directory); end && is_over(scene, found.checkpoint.state))
     refuse_finished(directory, *end);
@@ -60,7 +60,9 @@ std::optional<FoundCheckpoint<Dim>> check_resume(const Scene& scene, const RunOp
   return found;
 }
 
-template std::optional<FoundCheckpoint<2>> check_resume(const Scene&, const RunOptions&, const std::filesystem::path&);
-template std::optional<FoundCheckpoint<3>> check_resume(const Scene&, const RunOptions&, const std::filesystem::path&);
+template std::optional<FoundCheckpoint<2>> check_resume(const Scene&, const RunOptions&, const std::filesystem::path&,
+                                                        const FaultOf<2>&);
+template std::optional<FoundCheckpoint<3>> check_resume(const Scene&, const RunOptions&, const std::filesystem::path&,
+                                                        const FaultOf<3>&);
 
 }  // namespace geodrop

@@ -14,10 +14,10 @@ namespace geodrop {
 /// All that can refuse a run without a look at its checkpoint, then the directory, locked.
 RunPlace take_place(const Scene& scene, const RunOptions& options, const std::filesystem::path& directory);
 
-/// The newest good checkpoint if the run is to be resumed, else nothing. Throws SceneError if it cannot go on from
-/// there.
+/// The newest good checkpoint (see find_checkpoint) if the run is to be resumed, else nothing. Throws SceneError if it
+/// cannot go on from there.
 template <int Dim>
 std::optional<FoundCheckpoint<Dim>> check_resume(const Scene& scene, const RunOptions& options,
-                                                 const std::filesystem::path& directory);
+                                                 const std::filesystem::path& directory, const FaultOf<Dim>& fault_of);
 
 }  // namespace geodrop

@@ -70,26 +70,16 @@ RunStatistics step_until(double end, const Scene& scene, Pipeline<Dim>& pipeline
 }
 
 template <int Dim>
-void check_resumable(const Scene& scene, State<Dim> built, const Output<Dim>& output) {
-  const std::string fault = fault_in_state(scene, std::move(built), output.resumed_state());
-  if (fault.empty()) return;
-  throw SceneError(output.directory().string(),
-                   {{{}, "--resume", "a checkpoint with " + fault, "a state of this scene", ProblemSource::elsewhere}});
-}
-
-template <int Dim>
 RunOutcome run_in(const Scene& scene, const RunOptions& options) {
-  // The state comes first: a scene that cannot be built must not touch an earlier run's directory. What a run goes on
-  // from is judged by it.
-  State<Dim> state = initial_state<Dim>(scene);
+  // The state comes first: a scene that cannot be built must not touch an earlier run's directory.
+  State<Dim> state;
+  if (!options.resume) state = initial_state<Dim>(scene);
   catch_signals();
-  Output<Dim> output(scene, options);
+  Output<Dim> output(scene, options,
+                     [&](const State<Dim>& read) { return fault_in_state(scene, initial_state<Dim>(scene), read); });
   for (const std::string& note : scene_notes(scene)) output.log("note: " + note);
   for (const std::string& doubt : doubts(scene)) output.warn("warning: " + doubt);
-  if (options.resume) {
-    check_resumable(scene, std::move(state), output);
-    state = output.resume();
-  }
+  if (options.resume) state = output.resume();
   Grids<Dim> grids = make_grids<Dim>(scene);
   Pipeline<Dim> pipeline = build_pipeline<Dim>(scene);
   if (options.parts) record_parts(*options.parts, output.directory() / parts_name, pipeline);

@@ -1,6 +1,9 @@
 // What --resume and --until refuse or warn of.
 #include <doctest/doctest.h>
 
+#include <geodrop/files/checkpoint.hpp>
+#include <geodrop/reader/scene_reader.hpp>
+
 #include <filesystem>
 
 #include "support/program.hpp"
@@ -13,7 +16,47 @@ namespace {
 const std::string scene = "cases/hydrostatic_column.toml";
 const std::vector<std::string> settings{"time.end=0.1", "grid.spacing=0.5"};
 
+/// Stopped with two checkpoints.
+SceneRun stopped_run() {
+  return SceneRun(scene, {"time.end=0.1", "grid.spacing=0.5", "output.checkpoint_every=0.02"}, {"--until", "0.05"});
+}
+
+/// Gives a checkpoint another state, which has its right checksum then.
+void change_state(const SceneRun& run, const std::string& name, void (*change)(geodrop::State<2>&)) {
+  const geodrop::Scene as_run = geodrop::read_scene(geodrop::source_path(scene), settings);
+  geodrop::Checkpoint<2> checkpoint = geodrop::read_checkpoint<2>(run.file(name), as_run);
+  change(checkpoint.state);
+  geodrop::write_checkpoint(run.file(name), as_run, checkpoint.state, checkpoint.output);
+}
+void send_away(geodrop::State<2>& state) { state.bodies.at(0).x[1].at(5) = 1e6; }
+void empty(geodrop::State<2>& state) { state.bodies.at(0).J.at(5) = 0; }
+
 }  // namespace
+
+TEST_CASE("A newest checkpoint with a state that no run has is refused in one line, and the one before is taken") {
+  SceneRun run = stopped_run();
+  const SceneRun whole(scene, settings);
+  change_state(run, "checkpoint.bin", send_away);
+  CHECK(run.again({"--resume"}).code == 0);
+  CHECK(contains(run.outcome().out,
+                 "\nwarning: checkpoint.bin is no use: a checkpoint with body 'water': a particle outside of the "
+                 "domain; the run goes on from the one before, checkpoint.previous.bin\n"));
+  CHECK(run.hash() == whole.hash());
+  CHECK((geodrop::read_file(run.file("history.csv")) == geodrop::read_file(whole.file("history.csv"))));
+}
+
+TEST_CASE("Two checkpoints that are refused are each named with the reason, and nothing is touched") {
+  SceneRun run = stopped_run();
+  change_state(run, "checkpoint.bin", send_away);
+  change_state(run, "checkpoint.previous.bin", empty);
+  const std::string log = geodrop::read_file(run.file("run.log"));
+  CHECK(run.again({"--resume"}).code == 2);
+  const std::string& told = run.outcome().err;
+  CHECK(contains(told, ": checkpoint.bin: --resume: found a checkpoint with body 'water': a particle outside of the "));
+  CHECK(
+      contains(told, ": checkpoint.previous.bin: --resume: found a checkpoint with body 'water': a particle without "));
+  CHECK(geodrop::read_file(run.file("run.log")) == log);
+}
 
 TEST_CASE("A finished run keeps one checkpoint; resumed without more to do it says that it is finished") {
   SceneRun run(scene, settings);

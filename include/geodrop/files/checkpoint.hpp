@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <geodrop/measure/history.hpp>
 #include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
@@ -23,6 +24,10 @@ struct Checkpoint {
   OutputRecord output;
   std::string warning;  ///< why a resumed run may differ in its last bits, one line; empty: it does not
 };
+
+/// What of a state that was read is not as in a run of its scene, in one line; empty: nothing.
+template <int Dim>
+using FaultOf = std::function<std::string(const State<Dim>&)>;
 
 /// XXH3 over every value of the state in storage order, as 16 hex digits. docs/reproducibility.md: what it depends on.
 template <int Dim>

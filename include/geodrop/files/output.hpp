@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <geodrop/files/checkpoint.hpp>
 #include <geodrop/measure/measure.hpp>
 #include <geodrop/measure/results.hpp>
 #include <geodrop/scene/scene.hpp>
@@ -98,13 +99,11 @@ class Output {
   /// Keeps a reference to the scene. Throws SceneError if a result names no column, if the directory holds other things
   /// than an earlier run, if another run is at work there, or, with `resume`, there is no good checkpoint, the run is
   /// finished, or the checkpoint is not before the time `end`. Nothing was written then. Throws WriteError if the disk
-  /// refuses.
-  Output(const Scene& scene, const RunOptions& options);
+  /// refuses. A checkpoint in whose state `fault_of` finds a fault is not good.
+  Output(const Scene& scene, const RunOptions& options, const FaultOf<Dim>& fault_of = {});
   ~Output();
 
   const std::filesystem::path& directory() const;
-  /// State of the checkpoint that the run goes on from, before resume() hands it over.
-  const State<Dim>& resumed_state() const;
   /// State of the newest good checkpoint; frames, their collections and rows are cut back to it.
   State<Dim> resume();
   /// Writes frame 0 and row 0.
