@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/momentum.hpp"
+#include "grid/neighbourhood.hpp"
 #include "grid/point_support.hpp"
 #include "solutions/initial_stress.hpp"
 
@@ -60,7 +62,9 @@ PointSupport<Dim> support_at_edge(const GridLayout<Dim>& layout, const ViscousBo
 /// All of the push goes to nodes with a mass: those that particles hardly reach would fly off with their share.
 template <int Dim>
 void scatter(const PointSupport<Dim>& support, const Vec4& push, const Grid<Dim>& grid, Array<Vec4>& target) {
-  const auto takes = [&](int node, double weight) { return grid.sum[node][3] > grid.light_mass * weight; };
+  const auto takes = [&](int node, double weight) {
+    return grid.sum[node][3] > light_mass<Dim>(grid, stored_cell(grid.layout, node)) * weight;
+  };
   double reached = 0;
   support.for_each_node(grid.layout, [&](int node, double weight) { reached += takes(node, weight) ? weight : 0.0; });
   if (reached <= 0) return;  // the ground has left this place

@@ -21,21 +21,18 @@ namespace {
 /// them, so that 1 keeps them below 4. With 1/2 and 2 dam breaks ended alike.
 constexpr double most_swing = 1;
 
-/// Masses that count as none in S: of the nodes around a row of cells, along x and as a factor for each row of them.
+/// Masses that count as none in S: of a row of nodes around a row of cells.
 template <int Dim>
-WideRow<Dim> light_along(const Grid<Dim>& grid, int count, const std::array<int, Dim>& cell) {
+WideRow<Dim> light_row(const Grid<Dim>& grid, int count, const std::array<int, Dim>& cell, int y, int z) {
+  std::array<int, Dim> node = cell;
+  node[1] += y - 1;
+  if constexpr (Dim == 3) node[2] += z - 1;
   WideRow<Dim> light{};
-  for (int k = 0; k < count + 2; ++k)
-    light[k] = grid.light_mass *
-               (grid.layout.graded() ? grid.layout.spline_width(0, cell[0] + k - 1 - GridLayout<Dim>::pad) : 1.0);
+  for (int k = 0; k < count + 2; ++k) {
+    node[0] = cell[0] + k - 1;
+    light[k] = light_mass<Dim>(grid, node);
+  }
   return light;
-}
-
-template <int Dim>
-double light_across(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, int y, int z) {
-  if (!layout.graded()) return 1;
-  const double width = layout.spline_width(1, cell[1] + y - 1 - GridLayout<Dim>::pad);
-  return Dim == 3 ? width * layout.spline_width(Dim - 1, cell[Dim - 1] + z - 1 - GridLayout<Dim>::pad) : width;
 }
 
 double square(double x) { return x * x; }
@@ -77,17 +74,16 @@ template <int Dim>
 CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
   // Sums of 1 / mass over y and z, to be multiplied with squares of slopes along x, and with those of values.
   WideRow<Dim> along{}, across{};
-  const WideRow<Dim> light = light_along<Dim>(grid, count, cell);
   const auto entry = [&](const auto& table, int axis, int a) { return square(table[cell[axis]][a]); };
   for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
     const Vec4* const sum = grid.sum.data() + begin + offset - 1;
     const double value_y = entry(grid.integrals[1].value, 1, y), slope_y = entry(grid.integrals[1].slope, 1, y);
     const double value_z = Dim == 3 ? entry(grid.integrals[Dim - 1].value, Dim - 1, z) : 1.0;
     const double slope_z = Dim == 3 ? entry(grid.integrals[Dim - 1].slope, Dim - 1, z) : 0.0;
-    const double least = light_across<Dim>(grid.layout, cell, y, z);
+    const WideRow<Dim> light = light_row<Dim>(grid, count, cell, y, z);
     const double with_slope = value_y * value_z, with_value = slope_y * value_z + value_y * slope_z;
     for (int k = 0; k < count + 2; ++k) {
-      const double of_fluid = 1 / std::max(sum[k][3], light[k] * least);
+      const double of_fluid = 1 / std::max(sum[k][3], light[k]);
       const double inverse = lightness(grid, begin + offset - 1 + k, of_fluid);
       along[k] += with_slope * inverse;
       across[k] += with_value * inverse;

@@ -1,5 +1,7 @@
 // Dashpots and springs at an edge of the ground: tractions by hand, what they bring to the grid, how they move with it.
 #include "boundary/viscous_boundary.hpp"
+#include "grid/momentum.hpp"
+#include "grid/neighbourhood.hpp"
 
 #include <doctest/doctest.h>
 #include <geodrop/step/pipeline.hpp>
@@ -102,6 +104,24 @@ TEST_CASE("Nodes with hardly a mass get none of the force, the others all of it"
   const ViscousBoundary<2>& b = state.viscous_boundaries[0];
   CHECK(below == 0);
   CHECK(above == near(0.5 * (4e4 + yielding_traction(b, 0)[1] + yielding_traction(b, 1)[1]), 1e-12));
+}
+
+TEST_CASE("On graded axes a node gets its part of the force if it is not light for its own spline") {
+  const State<2> state = state_with(slanted_edge());
+  Grid<2> full = make_grid<2>(graded_scene<2>(12, 0.5, WallKind::slip, Transfer::blend)), light = full;
+  for_each_node(full.layout, 2, [&](int flat, const std::array<int, 2>&) {
+    full.sum[flat][3] = 250;
+    light.sum[flat][3] = 1.01 * light_mass<2>(light, stored_cell(light.layout, flat));
+  });
+  boundaries_to_grid(state, full, dt);
+  boundaries_to_grid(state, light, dt);
+  double most = 0, apart = 0;
+  for_each_node(full.layout, 2, [&](int flat, const std::array<int, 2>&) {
+    most = std::max(most, largest_component(full.force[flat]));
+    apart = std::max(apart, largest_component(full.force[flat] - light.force[flat]));
+  });
+  CHECK(most > 1e3);
+  CHECK(apart == 0);
 }
 
 TEST_CASE("The points move with the grid; their displacement counts towards the next sort") {
