@@ -102,8 +102,8 @@ int compare_benchmarks(const BenchOptions& options, const std::string& old_progr
                        return time_steps(program, arguments, steps).seconds;
                      }));
   }
-  if (names.empty()) std::fprintf(stderr, "no benchmark is called '%s'\n", options.only.c_str());
-  return names.empty() ? 2 : slower ? 1 : 0;
+  if (names.empty()) return no_benchmark(options);
+  return slower ? 1 : 0;
 }
 
 /// For versions that have no --steps: all processor time of a short run.

@@ -122,10 +122,7 @@ int run_bench(const BenchOptions& options) {
   std::filesystem::create_directories(options.directory);
   ReferenceKernels reference(options.threads);
   const std::vector<Candidate> table = candidates(options, reference);
-  if (table.empty()) {
-    std::printf("no benchmark is called '%s'\n", options.only.c_str());
-    return 2;
-  }
+  if (table.empty()) return no_benchmark(options);
   const MachineRoofs roofs = best_of({reference.sample(), reference.sample(), reference.sample()});
   std::printf("roofs on %d threads: %.1f Gflop/s, %.1f Gbyte/s\n", options.threads, roofs.gflops, roofs.gbytes_s);
   print_head();

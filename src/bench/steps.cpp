@@ -1,5 +1,6 @@
 #include "steps.hpp"
 
+#include "base/nearest_name.hpp"
 #include "counted_steps.hpp"
 #include "machine.hpp"
 #include "transfer/levels.hpp"
@@ -24,6 +25,16 @@ void print(const StepTime& time) {
 bool selected(const BenchOptions& options, const std::string& name) {
   if (options.only.starts_with('=')) return name == options.only.substr(1);
   return name.find(options.only) != std::string::npos;
+}
+
+int no_benchmark(const BenchOptions& options) {
+  std::vector<std::string> names;
+  for (const Benchmark& bench : all_benchmarks()) names.push_back(bench.name);
+  for (const SceneBenchmark& bench : scene_benchmarks()) names.push_back(bench.name);
+  const std::string nearest = nearest_name(options.only.substr(options.only.starts_with('=') ? 1 : 0), names);
+  std::fprintf(stderr, "geodrop bench: no benchmark is called '%s'; allowed: a part of a name, e.g. %s\n",
+               options.only.c_str(), (nearest.empty() ? names.front() : nearest).c_str());
+  return 2;
 }
 
 std::optional<Scene> scene_of(const SceneBenchmark& bench, const BenchOptions& options) {
@@ -53,8 +64,7 @@ int run_steps(const BenchOptions& options) {
         print(time_scene(bench.name, *scene, options.steps));
         any = true;
       }
-  if (!any) std::fprintf(stderr, "no benchmark is called '%s'\n", options.only.c_str());
-  return any ? 0 : 2;
+  return any ? 0 : no_benchmark(options);
 }
 
 StepReport parse_steps(const std::string& text) {

@@ -18,6 +18,9 @@ struct StepReport {
 /// Whether a benchmark is among those that --only asks for: part of its name, or = and its whole name.
 bool selected(const BenchOptions& options, const std::string& name);
 
+/// Says that --only asks for none, with the nearest; the exit code.
+int no_benchmark(const BenchOptions& options);
+
 /// Whether the row of a scene benchmark can be had; if its file is missing, says so.
 std::optional<Scene> scene_of(const SceneBenchmark& bench, const BenchOptions& options);
 

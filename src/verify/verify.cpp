@@ -7,6 +7,7 @@
 #include <geodrop/verify/verify.hpp>
 
 #include "base/atomic_file.hpp"
+#include "base/nearest_name.hpp"
 #include "base/text.hpp"
 #include "bench/machine.hpp"
 #include "judge.hpp"
@@ -36,11 +37,26 @@ std::vector<fs::path> cases_of_tree() {
   return found;
 }
 
+[[noreturn]] void refuse_only(const std::string& only, const std::vector<fs::path>& cases) {
+  std::vector<std::string> names;
+  for (const fs::path& file : cases) names.push_back(file.stem().string());
+  const std::string nearest = nearest_name(only, names);
+  throw SceneError(
+      "geodrop verify",
+      {{{},
+        "--only",
+        '"' + only + "\", which is in the name of none of " + std::to_string(cases.size()) + " cases",
+        "a part of the name of a case" + (nearest.empty() ? ", e.g. geotube" : "; the nearest is \"" + nearest + '"'),
+        ProblemSource::elsewhere}});
+}
+
 std::vector<fs::path> chosen_cases(const VerifyOptions& options) {
-  std::vector<fs::path> cases = options.scenes.empty() ? cases_of_tree() : options.scenes;
-  std::erase_if(cases,
+  const std::vector<fs::path> cases = options.scenes.empty() ? cases_of_tree() : options.scenes;
+  std::vector<fs::path> chosen = cases;
+  std::erase_if(chosen,
                 [&](const fs::path& file) { return file.stem().string().find(options.only) == std::string::npos; });
-  return cases;
+  if (chosen.empty()) refuse_only(options.only, cases);
+  return chosen;
 }
 
 std::vector<VariantSpec> variants_of(const Scene& scene, VerifyMode mode) {
@@ -151,11 +167,12 @@ void write_results(const std::vector<VerifyRow>& rows, const VerifyOptions& opti
 
 int run_verify(const VerifyOptions& options) {
   if (!options.page.empty()) with_generated_part(read_text(options.page), "");  // before hours of work
+  const std::vector<fs::path> files = chosen_cases(options);
   fs::create_directories(options.directory);
   std::deque<Case> cases;
   std::vector<VerifyRow> rows;
   std::printf("%s\n", console_head().c_str());
-  for (const fs::path& file : chosen_cases(options)) {
+  for (const fs::path& file : files) {
     run_case(file, options, cases.emplace_back());
     if (stop_requested()) return exit_stopped;
     for (const VerifyRow& row : judge(cases.back().scene, cases.back().runs, options.mode)) {
@@ -166,7 +183,8 @@ int run_verify(const VerifyOptions& options) {
     std::fflush(stdout);
   }
   if (rows.empty()) {
-    std::printf("no case to verify is called '%s'\n", options.only.c_str());
+    std::fprintf(stderr, "no run to judge: none of these cases has a variant for --%s\n",
+                 options.mode == VerifyMode::full ? "full" : "quick");
     return 2;
   }
   write_results(rows, options);

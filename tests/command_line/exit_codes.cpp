@@ -59,7 +59,7 @@ TEST_CASE("A benchmark or a main case that is not there ends with 2") {
   const std::string output = directory / "bench";
   const Outcome unknown = run_program({"bench", "--only", "honey", "--output", output});
   CHECK(unknown.code == 2);
-  CHECK(contains(unknown.out, "no benchmark is called 'honey'"));
+  CHECK(contains(unknown.err, "no benchmark is called 'honey'; allowed: a part of a name, e.g. "));
   check_usage({"bench", "--only", "main_case", "--scene", "no_such_scene.toml", "--output", output}, "no_such_scene");
 }
 
