@@ -48,9 +48,11 @@ Axis parse_axis(const std::string& text) {
   axis.values = range.find(':') == std::string::npos ? split(range, ',') : values_between(split(range, ':'));
   const bool has_empty = std::ranges::any_of(axis.values, [](const std::string& value) { return value.empty(); });
   if (!axis.key.empty() && !axis.values.empty() && !has_empty) return axis;
-  throw SceneError(
-      "--vary",
-      {{{}, "--vary", '"' + text + '"', "KEY=FROM:TO:COUNT (also with :log), or KEY=A,B,C", ProblemSource::elsewhere}});
+  throw SceneError("--vary", {{{},
+                               "",
+                               '"' + text + '"',
+                               "KEY=FROM:TO:COUNT (also with :log), or KEY=A,B,C, e.g. grid.spacing=0.5,0.25",
+                               ProblemSource::elsewhere}});
 }
 
 std::vector<std::vector<std::string>> combinations(const std::vector<Axis>& axes) {

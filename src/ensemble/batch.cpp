@@ -61,7 +61,9 @@ void publish(const fs::path& file, const std::vector<std::vector<std::string>>& 
   std::string text;
   for (const auto& line : lines) text += csv_line(line);
   write_file_atomically(file, text);
-  std::cout << '\n' << format_table(lines, 'l' + std::string(lines.front().size() - 1, 'r'));
+  std::vector<std::vector<std::string>> shown = lines;
+  for (auto& line : shown) std::ranges::replace(line, std::string("nan"), std::string("-"));
+  std::cout << '\n' << format_table(shown, 'l' + std::string(shown.front().size() - 1, 'r'));
 }
 
 Batch::Batch(BatchOptions options, const std::vector<std::vector<std::string>>& values) : options_(std::move(options)) {

@@ -61,9 +61,10 @@ Variation parse_variation(const std::string& text) {
       return {text.substr(0, equals), *from, *to, whole, by_factors};
   }
   throw SceneError("--vary", {{{},
-                               "--vary",
+                               "",
                                '"' + text + '"',
-                               "KEY=LOW:HIGH, two numbers in order (with :log after them two above 0)",
+                               "KEY=LOW:HIGH, two numbers in order (with :log after them two above 0), e.g. "
+                               "bodies.bag.shape.tilt_deg=0.0:15.0",
                                ProblemSource::elsewhere}});
 }
 

@@ -109,7 +109,6 @@ void write_script(const SweepOptions& options, std::size_t cases) {
 
 /// As many results as fit on a line; manifest.csv has all of them.
 void print_table(const SweepOptions& options, const Batch& batch) {
-  constexpr int digits = 4;
   constexpr std::size_t most = 5;
   const std::size_t shown = std::min(most, batch.result_names().size());
   std::vector<std::string> head{"case"};
@@ -121,7 +120,7 @@ void print_table(const SweepOptions& options, const Batch& batch) {
     lines.push_back({member.directory.filename().string()});
     lines.back().insert(lines.back().end(), member.values.begin(), member.values.end());
     lines.back().push_back(state_of(member));
-    for (std::size_t r = 0; r < shown; ++r) lines.back().push_back(format_number(member.results[r], digits));
+    for (std::size_t r = 0; r < shown; ++r) lines.back().push_back(short_number(member.results[r]));
   }
   std::cout << '\n' << format_table(lines, 'l' + std::string(head.size() - 1, 'r'));
   if (shown < batch.result_names().size()) std::cout << "all results: manifest.csv\n";
