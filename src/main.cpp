@@ -212,6 +212,20 @@ int print_help(const CLI::App& app, const std::string& command) {
   return of ? 0 : geodrop::exit_usage;
 }
 
+/// What CLI does not take: what was probably meant, and what is missing or wrong. A mistyped option may be the cause of
+/// what is missing.
+std::string text_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  const std::string hint = geodrop::hint_for(app, words);
+  const bool unknown_words = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  if (unknown_words && !hint.empty()) return "geodrop: " + hint;
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "" : chosen.front()->get_name();
+  const std::string message = "geodrop" + (command.empty() ? "" : " " + command) + ": " + error.what();
+  if (!hint.empty()) return "geodrop: " + hint + '\n' + message;
+  const std::string example = geodrop::first_example(command);
+  return example.empty() || message.find("allowed: ") != std::string::npos ? message : message + "; e.g. " + example;
+}
+
 /// Exit code of the exception that is being handled, told on stderr.
 int exit_code_of_exception(const CLI::App& app, const std::vector<std::string>& words) {
   const auto tell = [](const std::string& text, int code) {
@@ -224,12 +238,10 @@ int exit_code_of_exception(const CLI::App& app, const std::vector<std::string>& 
     if (app.get_subcommands().empty())
       return tell("geodrop: a command is missing: " + geodrop::commands_of(app) + "; geodrop --help tells more",
                   geodrop::exit_usage);
-    return app.exit(error) == 0 ? 0 : geodrop::exit_usage;
-  } catch (const CLI::ExtrasError& error) {
-    const std::string hint = geodrop::hint_for(app, words);
-    return hint.empty() ? (app.exit(error), geodrop::exit_usage) : tell("geodrop: " + hint, geodrop::exit_usage);
+    return tell(text_of(app, error, words), geodrop::exit_usage);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : geodrop::exit_usage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return tell(text_of(app, error, words), geodrop::exit_usage);
   } catch (const geodrop::SceneError& error) {
     return tell(error.what(), geodrop::exit_usage);
   } catch (const std::filesystem::filesystem_error& error) {

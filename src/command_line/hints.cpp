@@ -59,6 +59,11 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
+std::string example_lines(const std::string& command) {
+  const auto* const found = std::ranges::find_if(examples, [&](const auto& each) { return each.first == command; });
+  return found == std::end(examples) ? "" : found->second;
+}
+
 std::string did_you_mean(const std::string& nearest) {
   return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
@@ -73,11 +78,16 @@ std::vector<std::string> option_names(const CLI::App& command) {
 }
 
 std::string examples_of(const std::string& command) {
-  const auto* const found = std::ranges::find_if(examples, [&](const auto& each) { return each.first == command; });
-  if (found == std::end(examples)) return {};
+  const std::string lines = example_lines(command);
+  if (lines.empty()) return {};
   std::string text = "Examples:\n  ";
-  for (const char letter : std::string(found->second)) text += letter == '\n' ? "\n  " : std::string(1, letter);
+  for (const char letter : lines) text += letter == '\n' ? "\n  " : std::string(1, letter);
   return text;
+}
+
+std::string first_example(const std::string& command) {
+  const std::string lines = example_lines(command);
+  return lines.substr(0, lines.find('\n'));
 }
 
 std::string commands_of(const CLI::App& app) {

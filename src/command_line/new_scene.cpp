@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/nearest_name.hpp"
+#include "base/shell_command.hpp"
 #include "option_errors.hpp"
 #include "scene_file.hpp"
 
@@ -156,7 +157,7 @@ int run_new_scene(const NewSceneArguments& arguments) {
   if (file.extension() != ".toml") file += ".toml";
   if (fs::exists(file)) new_scene_errors.refuse("name", file.string() + ", which is there already", "a new name");
   write_file_atomically(file, arguments.from.empty() ? beginning : text_of_case(arguments.from));
-  std::cout << file.string() << "\nnext: geodrop check " << file.string() << '\n';
+  std::cout << file.string() << "\nnext: geodrop check " << shell_word(file.string()) << '\n';
   return 0;
 }
 

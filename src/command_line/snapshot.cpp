@@ -9,6 +9,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "base/text.hpp"
 #include "files/read_frames.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
@@ -101,6 +102,9 @@ int run_snapshot(const SnapshotArguments& arguments) {
   const Scene scene = read_scene(directory / "scene.toml");
   const Snapshot snapshot =
       read_frame(directory, arguments.time < 0 ? times.size() - 1 : frame_near(times, arguments.time));
+  if (arguments.time > times.back())
+    std::cerr << "no frame at " << short_number(arguments.time) << " s: the last one, at " << short_number(times.back())
+              << " s, is drawn\n";
   PictureOptions picture = picture_of(arguments, scene);
   picture.field = picture_field(snapshot, picture);
   const fs::path file = arguments.output.empty()

@@ -32,6 +32,9 @@ TEST_CASE("What was meant by a mistyped command or option is told") {
   CHECK(contains(refused({"run", "a.toml", "-o", "x"}), "did you mean --output?"));
   CHECK(contains(refused({"run", "a.toml", "--Set", "k=v"}), "did you mean --set?"));
   CHECK(contains(refused({}), "a command is missing: run, check"));
+  const std::string missing = refused({"geotube", "--perimeter", "9.2", "--unit-wieght", "12e3", "--area", "5.56"});
+  CHECK(contains(missing, "no option --unit-wieght of geodrop geotube; did you mean --unit-weight?"));
+  CHECK(contains(missing, "geodrop geotube: --unit-weight is required"));
 }
 
 TEST_CASE("help, and examples in the help of every command") {
@@ -83,6 +86,9 @@ TEST_CASE("check and info as JSON") {
   REQUIRE(bad["problems"].size() == 1);
   CHECK(bad["problems"][0]["key"] == "grid.spacng");
   CHECK(bad["effort"].is_null());
+  const Outcome in_tonnes = run_program({"check", geodrop::source_path("cases/dump_kekerdom.toml"), "--json", "--set",
+                                         "grid.spacng=1", "--set", "materials.water.density=1.0"});
+  CHECK(contains(in_tonnes.out, "in t/m3 it would be 1000 kg/m3"));
   const Json info = Json::parse(run_program({"info", bar, "--json"}).out);
   CHECK(info["particles_count"].get<double>() > 0);
   CHECK(info["time_step_s"].get<double>() > 0);
@@ -98,6 +104,8 @@ TEST_CASE("A new scene passes check without a doubt, and is not written twice") 
   CAPTURE(check.err);
   CHECK(check.code == 0);
   CHECK_FALSE(contains(check.out, "warning:"));
+  const std::string two_words = directory / "my scene.toml";
+  CHECK(contains(run_program({"new", directory / "my scene"}).out, "next: geodrop check '" + two_words + "'\n"));
   CHECK(contains(refused({"new", directory / "my_bag"}), "which is there already"));
   CHECK(run_program({"new", directory / "tube", "--from", "geotube_556"}).code == 0);
   CHECK(geodrop::read_file(directory / "tube.toml") ==
