@@ -37,4 +37,12 @@ TEST_CASE("codemeta.json says of the program what the other files say") {
   CHECK(meta.find("\"version\": \"" + version[1].str() + "\"") != std::string::npos);
   CHECK(citation.find("version: " + version[1].str()) != std::string::npos);
   CHECK(meta.find("\"license\": \"https://spdx.org/licenses/MIT\"") != std::string::npos);
+  std::smatch date;
+  REQUIRE(std::regex_search(citation, date, std::regex("date-released: ([0-9-]+)")));
+  CHECK(meta.find("\"dateModified\": \"" + date[1].str() + "\"") != std::string::npos);
+  for (const char* of_paper : {"Dropping Geocontainers in Water", "Fursan", "Hamad", "Christian", "Moormann"}) {
+    CAPTURE(of_paper);
+    CHECK(meta.find(of_paper) != std::string::npos);
+    CHECK(citation.find(of_paper) != std::string::npos);
+  }
 }
