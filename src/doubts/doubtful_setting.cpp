@@ -2,6 +2,8 @@
 
 #include <geodrop/geometry/shapes.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include "base/text.hpp"
 #include "open_fluid.hpp"
 #include "scene/needs.hpp"
+#include "setup/allowed_spacing.hpp"
 #include "setup/memory_estimate.hpp"
 
 namespace geodrop {
@@ -65,9 +68,12 @@ std::string shift_doubt(const Scene& scene, const BodySpec& body) {
     if (!from_wall_to_wall) least = std::min(least, box.upper[i] - box.lower[i]);
   }
   if (least >= least_cells * scene.grid.spacing) return {};
+  const double fine = largest_allowed_spacing(scene, least / least_cells);
   return "bodies." + body.name + ".shift moves few particles or none: the body is " +
          number(least / scene.grid.spacing) + " cells across, and only cells with full neighbours on all sides are " +
-         "evened out; take a grid.spacing of " + number(least / least_cells) + " m or less";
+         "evened out; " +
+         (fine > 0 ? fmt::format("take grid.spacing = {} [m]", fine)
+                   : std::string("no grid.spacing fine enough divides the domain"));
 }
 
 }  // namespace

@@ -108,6 +108,27 @@ TEST_CASE("Numbers out of scale, and output that fills the disk") {
   CHECK(contains(joined(far), "m from the origin, over 1e9 cells"));
 }
 
+TEST_CASE("The spacing that the doubt about shift advises is accepted, and raises it no more") {
+  using Settings = std::vector<std::string>;
+  const std::pair<const char*, Settings> cases[] = {
+      {"cases/dump_kekerdom.toml", {"grid.spacing=0.5"}},
+      {"cases/dump_kekerdom.toml",
+       {"grid.spacing=0.5", "grid.refine=[{axis='x',from=-1.5,to=1.5,spacing=0.0625}]", "time.end=0.1"}},
+      {"cases/verification/fall_free_slip.toml", {"grid.spacing=0.5", "bodies.water.shape.upper.1=1.7"}},
+      {"cases/hydrostatic_column_3d.toml", {"bodies.water.shift=true", "bodies.water.shape.upper.2=0.3"}}};
+  for (const auto& [scene, settings] : cases) {
+    CAPTURE(scene);
+    const std::string advised = joined(settings, scene), before = "take grid.spacing = ";
+    const std::size_t at = advised.find(before);
+    REQUIRE(at != std::string::npos);
+    const std::size_t from = at + before.size();
+    Settings changed = settings;
+    changed.push_back("grid.spacing=" + advised.substr(from, advised.find(' ', from) - from));
+    CAPTURE(changed.back());
+    CHECK_FALSE(contains(joined(changed, scene), ".shift moves few"));
+  }
+}
+
 TEST_CASE("Unit weights and densities of the calculators") {
   CHECK(contains(doubt_unit_weight("--unit-weight", 12), "in kN/m3 it would be 1.2e+04 N/m3"));
   CHECK(contains(doubt_unit_weight("--unit-weight", 1.2), "in t/m3 it would be 1.177e+04 N/m3"));

@@ -2,79 +2,13 @@
 #include "check_scene.hpp"
 
 #include "grid/seams.hpp"
-
-#include <geodrop/grid/graded_axis.hpp>
+#include "setup/allowed_spacing.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace geodrop {
 namespace {
-
-constexpr double kMostCells = 2e8;
-constexpr double kRounding = 1e-6;  // of a cell: 0.1 m does not divide 17 m exactly in binary
-
-double length_along(const GridSpec& grid, std::size_t axis) { return grid.upper[axis] - grid.lower[axis]; }
-
-bool has_zone(const GridSpec& grid, std::size_t axis) {
-  return std::any_of(grid.refine.begin(), grid.refine.end(),
-                     [&](const RefineSpec& zone) { return zone.axis == static_cast<int>(axis); });
-}
-
-bool is_periodic(const Scene& scene, std::size_t axis) {
-  return axis < scene.walls.lower.size() && scene.walls.lower[axis] == WallKind::periodic;
-}
-
-/// The spacing divides the axis, or zones of finer cells have their own way to do so.
-bool divides(double spacing, const GridSpec& grid, std::size_t axis) {
-  const double count = length_along(grid, axis) / spacing;
-  return has_zone(grid, axis) || (count >= 1 - kRounding && std::abs(count - std::round(count)) <= kRounding);
-}
-
-/// Of a graded axis the cells that the closed form gives, also where they are too many to be built.
-double cell_count(const GridSpec& grid) {
-  double cells = 1;
-  for (std::size_t axis = 0; axis < grid.lower.size(); ++axis)
-    cells *= AxisMap(grid, static_cast<int>(axis)).wanted_cells();
-  return cells;
-}
-
-/// What nothing in check_grid and check_walls would complain about.
-bool is_allowed(double spacing, const Scene& scene) {
-  GridSpec grid = scene.grid;
-  grid.spacing = spacing;
-  for (std::size_t axis = 0; axis < grid.lower.size(); ++axis) {
-    if (!divides(spacing, grid, axis)) return false;
-    if (is_periodic(scene, axis) && std::lround(length_along(grid, axis) / spacing) < fewest_periodic_cells)
-      return false;
-  }
-  const bool above_zones = std::all_of(grid.refine.begin(), grid.refine.end(),
-                                       [&](const RefineSpec& zone) { return zone.spacing < spacing; });
-  return above_zones && cell_count(grid) <= kMostCells;
-}
-
-/// The allowed spacing nearest to that of the scene, from a third of it to three times it; 0: none was found.
-double nearest_allowed_spacing(const Scene& scene) {
-  constexpr double kFactor = 3;
-  constexpr int kMostTries = 10000;  // to either side
-  const GridSpec& grid = scene.grid;
-  // Any allowed spacing divides the shortest axis without a zone, which has the fewest spacings to try.
-  double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < grid.lower.size(); ++axis)
-    if (!has_zone(grid, axis)) shortest = std::min(shortest, length_along(grid, axis));
-  const double count = std::round(shortest / grid.spacing);
-  double best = 0;
-  const auto consider = [&](double cells) {
-    const double spacing = shortest / cells, away = std::abs(spacing - grid.spacing);
-    if (cells < 1 || spacing > kFactor * grid.spacing || spacing < grid.spacing / kFactor) return;
-    if ((best == 0 || away < std::abs(best - grid.spacing)) && is_allowed(spacing, scene)) best = spacing;
-  };
-  // From the nearest number of cells outwards: what is found first on a side is the nearest there.
-  for (int k = 0; k <= kMostTries && best <= grid.spacing; ++k) consider(count - k);
-  for (int k = 1; k <= kMostTries && (best == 0 || best >= grid.spacing); ++k) consider(count + k);
-  return best;
-}
 
 /// The upper corner of a domain that has whole cells, no smaller than it is.
 Point whole_upper(const GridSpec& grid) {
@@ -149,12 +83,12 @@ void check_cells(const Scene& scene, Report& report) {
   if (!check_spacing(scene, report)) return;
   const GridSpec& grid = scene.grid;
   const double cells = cell_count(grid);
-  if (cells <= kMostCells) return check_zones(scene, report);
+  if (cells <= most_cells) return check_zones(scene, report);
   const auto count = [&](double n) {
     return to_text(std::round(n / 1e6)) + " million cells, about " + to_text(std::round(n * kBytesPerCell / 1e9)) +
            " GB of memory for the grid";
   };
-  report.add("grid.spacing", to_text(grid.spacing) + ", which is " + count(cells), "at most " + count(kMostCells));
+  report.add("grid.spacing", to_text(grid.spacing) + ", which is " + count(cells), "at most " + count(most_cells));
 }
 
 /// Triangles are for the plane, tetrahedra for space.
