@@ -2,6 +2,7 @@
 #include <geodrop/geometry/triangle_surface.hpp>
 
 #include "ellipse.hpp"
+#include "polygon_edge.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -28,13 +29,6 @@ double signed_area(const std::vector<Point>& points) {
     twice += a[0] * b[1] - a[1] * b[0];
   }
   return twice / 2;
-}
-
-double distance_to_segment(const Point& a, const Point& b, const Point& x) {
-  const double length2 = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
-  const double along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
-  const double s = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
-  return distance(x, {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
 }
 
 bool on_segment(const Point& a, const Point& b, const Point& x) {
@@ -76,7 +70,8 @@ double length_around(const std::vector<Point>& points) {
 double distance_around(const std::vector<Point>& points, const Point& x) {
   double nearest = kInfinity;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    nearest = std::min(nearest, distance_to_segment(points[i], points[(i + 1) % points.size()], x));
+    const Point &a = points[i], &b = points[(i + 1) % points.size()];
+    nearest = std::min(nearest, distance_to({a[0], a[1], b[0], b[1]}, x));
   }
   return nearest;
 }

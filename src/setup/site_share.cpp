@@ -61,8 +61,9 @@ SiteShare<3> share_inside(const InsideShape& inside, const Bounds& site) {
 }
 
 /// Cheap, for the many sites that no outline crosses.
-Cover cover_by(const Shape& shape, const Bounds& site) {
-  if (apart(site, bounds(shape))) return Cover::none;
+Cover cover_by(const Outlined& outlined, const Bounds& site) {
+  const Shape& shape = *outlined.shape;
+  if (apart(site, outlined.box)) return Cover::none;
   if (const auto* inside = std::get_if<InsideShape>(&shape)) return cover_by(*inside, site);
   if (!std::holds_alternative<PolygonShape>(shape)) {
     // All other shapes are convex, so their corners decide; what is outside of a half-plane is convex as well.
@@ -75,8 +76,9 @@ Cover cover_by(const Shape& shape, const Bounds& site) {
   }
   const Point centre{(site.lower[0] + site.upper[0]) / 2, (site.lower[1] + site.upper[1]) / 2};
   const double radius = std::hypot(site.upper[0] - centre[0], site.upper[1] - centre[1]);
-  if (distance_to_outline(shape, centre) <= radius) return Cover::part;
-  return contains(shape, centre) ? Cover::all : Cover::none;
+  const PolygonInBox polygon(outlined.edges, site);
+  if (polygon.comes_near(centre, radius)) return Cover::part;
+  return polygon.contains(centre) ? Cover::all : Cover::none;
 }
 
 struct GaussPoint {
@@ -106,30 +108,54 @@ std::vector<GaussPoint> gauss_points(std::vector<double> levels, double low, dou
   return points;
 }
 
+/// An outline within a site.
+class Cutter {
+ public:
+  Cutter(const Outlined& outlined, const Bounds& site) : outlined_(&outlined), site_(&site) {
+    if (std::holds_alternative<PolygonShape>(shape())) polygon_.emplace(outlined.edges, site);
+  }
+
+  const Shape& shape() const { return *outlined_->shape; }
+  const Bounds& box() const { return outlined_->box; }
+  /// What the row at height y has in common with the shape.
+  std::vector<Chord> row(double y) const {
+    return polygon_ ? polygon_->row(y) : chords(shape(), {site_->lower[0], y}, 0);
+  }
+  /// Heights at which the length of a row may have a kink.
+  void add_levels(std::vector<double>& levels) const {
+    levels.insert(levels.end(), {box().lower[1], box().upper[1]});
+    if (polygon_) return polygon_->add_levels(levels);
+    for (const Point& side : {site_->lower, site_->upper})
+      for (const Chord& chord : chords(shape(), side, 1)) levels.insert(levels.end(), {chord.from, chord.to});
+  }
+
+ private:
+  const Outlined* outlined_;
+  const Bounds* site_;
+  std::optional<PolygonInBox> polygon_;
+};
+
 /// A site that outlines cut: a shape (none: all of the site) less some others.
 struct CutSite {
+  CutSite(const Bounds& site_, const Outlined* whole, const std::vector<const Outlined*>& removed) : site(site_) {
+    if (whole) shape.emplace(*whole, site);
+    for (const Outlined* hole : removed) holes.emplace_back(*hole, site);
+  }
+
   const Bounds& site;
-  const Shape* shape;
-  const std::vector<const Shape*>& holes;
+  std::optional<Cutter> shape;
+  std::vector<Cutter> holes;
 
   template <class Visit>
   void for_each_shape(Visit visit) const {
     if (shape) visit(*shape);
-    for (const Shape* hole : holes) visit(*hole);
+    for (const Cutter& hole : holes) visit(hole);
   }
 };
 
-/// Heights y at which the length of a row may have a kink.
 std::vector<double> levels_of_rows(const CutSite& cut) {
   std::vector<double> levels;
-  cut.for_each_shape([&](const Shape& shape) {
-    const Bounds box = bounds(shape);
-    levels.insert(levels.end(), {box.lower[1], box.upper[1]});
-    if (const auto* polygon = std::get_if<PolygonShape>(&shape))
-      for (const Point& corner : polygon->points) levels.push_back(corner[1]);
-    for (const Point& side : {cut.site.lower, cut.site.upper})
-      for (const Chord& chord : chords(shape, side, 1)) levels.insert(levels.end(), {chord.from, chord.to});
-  });
+  cut.for_each_shape([&](const Cutter& cutter) { cutter.add_levels(levels); });
   return levels;
 }
 
@@ -138,9 +164,9 @@ std::vector<double> levels_of_rows(const CutSite& cut) {
 std::vector<double> levels_of_sections(const CutSite& cut) {
   std::vector<double> levels;
   const Bounds& site = cut.site;
-  cut.for_each_shape([&](const Shape& shape) {
-    const Bounds box = bounds(shape);
-    levels.insert(levels.end(), {box.lower[2], box.upper[2]});
+  cut.for_each_shape([&](const Cutter& cutter) {
+    const Shape& shape = cutter.shape();
+    levels.insert(levels.end(), {cutter.box().lower[2], cutter.box().upper[2]});
     for (const double x : {site.lower[0], site.upper[0]})
       for (const double y : {site.lower[1], site.upper[1]})
         for (const Chord& chord : chords(shape, {x, y, 0}, 2)) levels.insert(levels.end(), {chord.from, chord.to});
@@ -157,16 +183,15 @@ std::vector<double> levels_of_sections(const CutSite& cut) {
 /// What the row at height y has of the region within the site.
 std::vector<Chord> pieces_of_row(const CutSite& cut, double y) {
   const Chord whole{cut.site.lower[0], cut.site.upper[0]};
-  const Point x{whole.from, y};
   std::vector<Chord> row;
   const auto keep = [](std::vector<Chord>& list, double from, double to) {
     if (to > from) list.push_back({from, to});
   };
   if (!cut.shape) row.push_back(whole);
   if (cut.shape)
-    for (const Chord& c : chords(*cut.shape, x, 0)) keep(row, std::max(c.from, whole.from), std::min(c.to, whole.to));
-  for (const Shape* hole : cut.holes)
-    for (const Chord& c : chords(*hole, x, 0)) {
+    for (const Chord& c : cut.shape->row(y)) keep(row, std::max(c.from, whole.from), std::min(c.to, whole.to));
+  for (const Cutter& hole : cut.holes)
+    for (const Chord& c : hole.row(y)) {
       std::vector<Chord> left;
       for (const Chord& piece : row) {
         keep(left, piece.from, std::min(piece.to, c.from));
@@ -196,14 +221,20 @@ SiteShare<2> integrate(const CutSite& cut) {
 /// The share of the site's section at height z.
 SiteShare<2> integrate_section(const CutSite& cut, double z) {
   const Bounds face{{cut.site.lower[0], cut.site.lower[1]}, {cut.site.upper[0], cut.site.upper[1]}};
-  const std::optional<Shape> shape = cut.shape ? section(*cut.shape, 2, z) : std::nullopt;
-  if (cut.shape && !shape) return {};
   std::vector<Shape> sections;
-  for (const Shape* hole : cut.holes)
-    if (const std::optional<Shape> through = section(*hole, 2, z)) sections.push_back(*through);
-  std::vector<const Shape*> holes;
-  for (const Shape& hole : sections) holes.push_back(&hole);
-  return integrate({face, shape ? &*shape : nullptr, holes});
+  const auto cuts = [&](const Cutter& cutter) {
+    const std::optional<Shape> through = section(cutter.shape(), 2, z);
+    if (through) sections.push_back(*through);
+    return through.has_value();
+  };
+  if (cut.shape && !cuts(*cut.shape)) return {};
+  for (const Cutter& hole : cut.holes) cuts(hole);
+  const std::vector<Outlined> outlined(sections.begin(), sections.end());
+  std::vector<const Outlined*> holes;
+  for (const Outlined& each : outlined) holes.push_back(&each);
+  const Outlined* shape = cut.shape ? holes.front() : nullptr;
+  if (shape) holes.erase(holes.begin());
+  return integrate({face, shape, holes});
 }
 
 SiteShare<3> integrate_in_space(const CutSite& cut) {
@@ -223,21 +254,21 @@ SiteShare<3> integrate_in_space(const CutSite& cut) {
 }
 
 /// Exact where a surface and no other outline cuts the site.
-SiteShare<3> without_surfaces(const CutSite& cut) {
-  const auto surface_of = [](const Shape* shape) { return shape ? std::get_if<InsideShape>(shape) : nullptr; };
-  std::vector<const Shape*> others;
-  for (const Shape* hole : cut.holes)
+SiteShare<3> without_surfaces(const Bounds& site, const Outlined* whole, const std::vector<const Outlined*>& removed) {
+  const auto surface_of = [](const Outlined* of) { return of ? std::get_if<InsideShape>(of->shape) : nullptr; };
+  std::vector<const Outlined*> others;
+  for (const Outlined* hole : removed)
     if (!surface_of(hole)) others.push_back(hole);
-  const InsideShape* inside = surface_of(cut.shape);
-  SiteShare<3> sum = inside ? share_inside(*inside, cut.site) : integrate_in_space({cut.site, cut.shape, others});
-  for (const Shape* hole : cut.holes) {
+  const InsideShape* inside = surface_of(whole);
+  SiteShare<3> sum = inside ? share_inside(*inside, site) : integrate_in_space({site, whole, others});
+  for (const Outlined* hole : removed) {
     if (!surface_of(hole)) continue;
-    const SiteShare<3> gone = share_inside(*surface_of(hole), cut.site);
+    const SiteShare<3> gone = share_inside(*surface_of(hole), site);
     const double left = sum.share - gone.share;
     if (!(left > 0)) return {};
     for (std::size_t a = 0; a < 3; ++a)
-      sum.centroid[a] = std::clamp((sum.share * sum.centroid[a] - gone.share * gone.centroid[a]) / left,
-                                   cut.site.lower[a], cut.site.upper[a]);
+      sum.centroid[a] = std::clamp((sum.share * sum.centroid[a] - gone.share * gone.centroid[a]) / left, site.lower[a],
+                                   site.upper[a]);
     sum.share = left;
   }
   return sum;
@@ -245,20 +276,24 @@ SiteShare<3> without_surfaces(const CutSite& cut) {
 
 }  // namespace
 
-BodyRegion::BodyRegion(const Scene& scene, const BodySpec& spec) : shape_(&spec.shape) {
+Outlined::Outlined(const Shape& shape_) : shape(&shape_), box(bounds(shape_)) {
+  if (const auto* polygon = std::get_if<PolygonShape>(shape)) edges = edges_of(*polygon);
+}
+
+BodyRegion::BodyRegion(const Scene& scene, const BodySpec& spec) : shape_(spec.shape) {
   for (const std::string& name : spec.minus)
-    if (const BodySpec* other = find_body(scene, name)) removed_.push_back(&other->shape);
+    if (const BodySpec* other = find_body(scene, name)) removed_.emplace_back(other->shape);
 }
 
 bool BodyRegion::holds(const Point& x) const {
-  return contains(*shape_, x) &&
-         std::none_of(removed_.begin(), removed_.end(), [&](const Shape* s) { return contains(*s, x); });
+  return contains(*shape_.shape, x) &&
+         std::none_of(removed_.begin(), removed_.end(), [&](const Outlined& r) { return contains(*r.shape, x); });
 }
 
 Cover BodyRegion::cover(const Bounds& box) const {
-  Cover region = cover_by(*shape_, box);
-  for (const Shape* removed : removed_) {
-    const Cover hole = cover_by(*removed, box);
+  Cover region = cover_by(shape_, box);
+  for (const Outlined& removed : removed_) {
+    const Cover hole = cover_by(removed, box);
     if (hole == Cover::all) return Cover::none;
     if (hole == Cover::part && region == Cover::all) region = Cover::part;
   }
@@ -268,19 +303,19 @@ Cover BodyRegion::cover(const Bounds& box) const {
 template <int Dim>
 SiteShare<Dim> BodyRegion::share(const Bounds& site) const {
   constexpr double rounding = 1e-9;  // an outline on a site's edge leaves the site whole
-  const Cover inside = cover_by(*shape_, site);
+  const Cover inside = cover_by(shape_, site);
   if (inside == Cover::none) return {};
-  std::vector<const Shape*> holes;
-  for (const Shape* removed : removed_) {
-    const Cover hole = cover_by(*removed, site);
+  std::vector<const Outlined*> holes;
+  for (const Outlined& removed : removed_) {
+    const Cover hole = cover_by(removed, site);
     if (hole == Cover::all) return {};
-    if (hole == Cover::part) holes.push_back(removed);
+    if (hole == Cover::part) holes.push_back(&removed);
   }
   if (inside == Cover::all && holes.empty()) return whole_site<Dim>(site);
-  const CutSite region{site, inside == Cover::all ? nullptr : shape_, holes};
+  const Outlined* whole = inside == Cover::all ? nullptr : &shape_;
   SiteShare<Dim> cut;
-  if constexpr (Dim == 2) cut = integrate(region);
-  if constexpr (Dim == 3) cut = without_surfaces(region);
+  if constexpr (Dim == 2) cut = integrate({site, whole, holes});
+  if constexpr (Dim == 3) cut = without_surfaces(site, whole, holes);
   if (cut.share < rounding) return {};
   return cut.share > 1 - rounding ? whole_site<Dim>(site) : cut;
 }

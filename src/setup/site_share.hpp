@@ -6,6 +6,8 @@
 #include <geodrop/scene/scene.hpp>
 #include <vector>
 
+#include "geometry/polygon_in_box.hpp"
+
 namespace geodrop {
 
 /// Share of a site inside a body, and the centroid of that share.
@@ -25,6 +27,15 @@ SiteShare<Dim> whole_site(const Bounds& site) {
 /// How much of a site, or of a block of sites, belongs to a body; `part` may also be said of one that is just touched.
 enum class Cover { none, part, all };
 
+/// A shape, with what is asked of it at each site.
+struct Outlined {
+  explicit Outlined(const Shape& shape_);
+
+  const Shape* shape;
+  Bounds box;
+  std::vector<PolygonEdge> edges;  ///< of a polygon
+};
+
 /// The material points that belong to a body: inside its shape, outside all shapes cut out of it.
 class BodyRegion {
  public:
@@ -41,8 +52,8 @@ class BodyRegion {
   SiteShare<Dim> share(const Bounds& site) const;
 
  private:
-  const Shape* shape_;
-  std::vector<const Shape*> removed_;
+  Outlined shape_;
+  std::vector<Outlined> removed_;
 };
 
 }  // namespace geodrop

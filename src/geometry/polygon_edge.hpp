@@ -1,0 +1,23 @@
+// An edge of a polygon.
+#pragma once
+
+#include <geodrop/geometry/shape.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodrop {
+
+/// In the sense of the outline [m].
+struct PolygonEdge {
+  double from_x, from_y, to_x, to_y;
+};
+
+inline double distance_to(const PolygonEdge& edge, const Point& x) {
+  const double dx = edge.to_x - edge.from_x, dy = edge.to_y - edge.from_y, length2 = dx * dx + dy * dy;
+  const double along = (x[0] - edge.from_x) * dx + (x[1] - edge.from_y) * dy;
+  const double s = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+  return std::hypot(x[0] - (edge.from_x + s * dx), x[1] - (edge.from_y + s * dy));
+}
+
+}  // namespace geodrop
