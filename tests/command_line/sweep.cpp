@@ -78,7 +78,8 @@ TEST_CASE("A sweep of two keys: all combinations, settlement goes as 1/E") {
 TEST_CASE("A result that a run does not have is a dash in the table and nan in the manifest") {
   const geodrop::TemporaryDirectory directory;
   const fs::path output = fs::path(directory / "columns");
-  const std::string result = "results=[{name='t_s',column='column.position_y_m',reduce='first_time_below',level=-99.0}]";
+  const std::string result =
+      "results=[{name='t_s',column='column.position_y_m',reduce='first_time_below',level=-99.0}]";
   const std::vector<std::string> more{
       "--vary",     "solver.courant=0.3,0.4", "--set", result, "--set", "expect=[]", "--set", "verify=[]", "--set",
       "variants=[]"};
