@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace geodrop {
 namespace {
@@ -89,6 +90,17 @@ std::string panel_text(const ChartPanel& panel, std::size_t number) {
          x.range(panel.axes) + "\nset yrange " + y.range(panel.axes) + "\n" + plots + "\n";
 }
 
+/// Lines of at most so many letters, broken between words.
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > most) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
 /// A file that goes away with its owner.
 struct PassingFile {
   fs::path path;
@@ -115,12 +127,15 @@ std::string gnuplot_text(const std::string& text) {
 
 std::string gnuplot_script(const Chart& chart, const fs::path& file) {
   constexpr int panel_width = 720, panel_height = 480;  // [px]
+  constexpr std::size_t letters_per_panel = 95;
   const int panels = static_cast<int>(chart.panels.size()), columns = std::clamp(chart.columns, 1, std::max(panels, 1));
   const int rows = std::max(1, (panels + columns - 1) / columns);
   const std::string size = std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
   const std::string terminal = file.string().ends_with(".png") ? "pngcairo" : "svg";
   std::string title = gnuplot_text(chart.title);
-  for (const std::string& note : chart.notes) title += ".\"\\n\"." + gnuplot_text(note);
+  for (const std::string& note : chart.notes)
+    for (const std::string& line : wrapped(note, static_cast<std::size_t>(columns) * letters_per_panel))
+      title += ".\"\\n\"." + gnuplot_text(line);
   // Five digits along x, where numbers stand side by side.
   std::string text = "set encoding utf8\nset terminal " + terminal + " noenhanced size " + size +
                      " font 'sans,12' background rgb 'white'\nset output " + gnuplot_text(file.string()) +

@@ -181,11 +181,6 @@ void add_references(const std::vector<ReferenceLine>& references, const std::vec
   }
 }
 
-/// At most so many letters, the last three of them dots if it was longer.
-std::string shortened(const std::string& text, std::size_t most) {
-  return text.size() <= most ? text : text.substr(0, most - 3) + "...";
-}
-
 }  // namespace
 
 Chart history_chart(const CsvTable& table, const std::string& title, const std::vector<ReferenceLine>& references) {
@@ -213,8 +208,7 @@ Chart history_chart(const CsvTable& table, const std::string& title, const std::
     chart.panels.push_back(panel);
   }
   const auto note = [&](const std::string& what, const std::string& names) {
-    const std::size_t letters = chart.panels.size() > 1 ? 190 : 95;
-    if (!names.empty()) chart.notes.push_back(shortened(what + ": " + names, letters));
+    if (!names.empty()) chart.notes.push_back(what + ": " + names);
   };
   note("not drawn, as they hardly move", still.text());
   note("not drawn, as others cover them", covered.text());

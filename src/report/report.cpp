@@ -166,12 +166,24 @@ std::string embed(const Source& source, const std::string& ending, const Draw& d
   return html;
 }
 
+/// Two panels on a page, so that their words can be read in print.
+std::vector<Chart> pages_of(const Chart& chart) {
+  std::vector<Chart> pages;
+  for (std::size_t p = 0; p < chart.panels.size(); p += 2) {
+    const auto first = chart.panels.begin() + static_cast<std::ptrdiff_t>(p);
+    const std::ptrdiff_t count = std::min<std::ptrdiff_t>(2, chart.panels.end() - first);
+    pages.push_back({chart.title, {first, first + count}, 1, p == 0 ? chart.notes : std::vector<std::string>{}});
+  }
+  return pages;
+}
+
 std::string histories(const Source& source) {
   std::string page;
   for (const NamedChart& chart : run_charts(source.options.directory, source.options.factors))
-    page += embed(
-        source, ".svg", [&](const fs::path& file) { write_chart(chart.chart, file); },
-        [&](const fs::path& file) { return html::drawing(file, chart.stem); });
+    for (const Chart& part : pages_of(chart.chart))
+      page += embed(
+          source, ".svg", [&](const fs::path& file) { write_chart(part, file); },
+          [&](const fs::path& file) { return html::drawing(file, chart.stem); });
   return page;
 }
 

@@ -71,6 +71,15 @@ TEST_CASE("A picture shows every panel, label and point, and moves with a value"
                  2) < 0.002);
 }
 
+TEST_CASE("Notes stand below the title, in as many lines as they need") {
+  Chart chart = parabola();
+  chart.notes = {"short", std::string(60, 'a') + " " + std::string(60, 'b')};
+  const std::string script = gnuplot_script(chart, "picture.svg");
+  CHECK(contains(script, "title 'curves'.\"\\n\".'short'.\"\\n\".'" + std::string(60, 'a') + "'.\"\\n\".'" +
+                             std::string(60, 'b') + "'"));
+  CHECK(contains(draw(chart), "short"));
+}
+
 TEST_CASE("Equal aspect: a metre is as long in x as in y") {
   Chart chart = parabola();
   chart.panels[0].aspect = Aspect::equal;

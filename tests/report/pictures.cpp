@@ -95,7 +95,7 @@ TEST_CASE("Scales of colours: their ends, their middle, and grey for no number")
 
 TEST_CASE("Soil in a membrane and soil around it differ in colour, layer by layer, also where both are one material") {
   Scene scene;
-  scene.materials = {{"sand", MohrCoulombSpec{}}};
+  scene.materials = {{"sand", MohrCoulombSpec{}, {}}};
   for (const char* name : {"bed", "bag"}) {
     BodySpec body;
     body.name = name;

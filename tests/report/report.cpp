@@ -77,7 +77,7 @@ TEST_CASE("Burial is counted from the surface of the bed at the start, below a t
     return spec;
   };
   Scene scene = scene_with_bag(0);
-  scene.materials = {{"water", NewtonianSpec{}}, {"sand", MohrCoulombSpec{}}};
+  scene.materials = {{"water", NewtonianSpec{}, {}}, {"sand", MohrCoulombSpec{}, {}}};
   CHECK_FALSE(bed_surface(scene, "", 2).has_value());
   scene.bodies = {body("water", "water", BoxShape{{-9, 0}, {9, 13}}), body("bag", "sand", BoxShape{{1, 5}, {3, 6}}),
                   body("bed", "sand", BoxShape{{-9, -4}, {9, 0.5}}),
@@ -114,6 +114,9 @@ TEST_CASE("report writes one page with all in it; compare tells what differs") {
         "end: vertical stress, tension positive", "the surface that the bed had"})
     CHECK_MESSAGE(contains(page, part), part);
   CHECK_FALSE(contains(page, "src=\"http"));
+  std::size_t drawings = 0;
+  for (std::size_t at = page.find("svg+xml"); at != std::string::npos; at = page.find("svg+xml", at + 1)) ++drawings;
+  CHECK(drawings == 2);  // of two panels each
   // A key that several laws have is told with the meaning that it has in its own.
   const auto times = [&](const std::string& words) {
     std::size_t count = 0;
