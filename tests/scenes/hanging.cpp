@@ -91,12 +91,12 @@ TEST_CASE("A run with anchors and polygons that is resumed ends as one that was 
     std::vector<std::string> settings;
   };
   const std::vector<std::string> soon{"grid.spacing=0.25", "time.end=0.2"};
-  for (const auto& [scene, settings] :
+  for (const Case& run :
        {Case{"tests/scenes/hanging.toml", {}}, Case{"tests/scenes/hanging.toml", {"solver.transfer=musl"}},
         Case{"cases/verification/hanging_bag_sharp.toml", soon}}) {
-    CAPTURE(scene);
-    SceneRun whole(scene, settings);
-    SceneRun parts(scene, settings, {"--until", "0.1"});
+    CAPTURE(run.scene);
+    SceneRun whole(run.scene, run.settings);
+    SceneRun parts(run.scene, run.settings, {"--until", "0.1"});
     CHECK(parts.outcome().code == 75);
     CHECK(parts.again({"--resume"}).code == 0);
     CHECK(parts.hash() == whole.hash());
