@@ -74,7 +74,8 @@ std::string sbatch_path(const fs::path& path) {
 }
 
 /// A case that the signal before its time limit stops has a checkpoint and ends with 75; it is queued again and goes on
-/// from there. SIGTERM is scancel's: a case that was queued again then could not be cancelled.
+/// from there. SIGTERM is scancel's: a case that was queued again then could not be cancelled. It reaches the run as
+/// well, which a second SIGTERM would end at once, hence SIGHUP.
 std::string array_script(const SweepOptions& options, std::size_t cases) {
   const std::string log = shell_word(sbatch_path(options.output) + "/slurm_%a.log");
   return "#!/bin/bash\n"
@@ -92,8 +93,8 @@ std::string array_script(const SweepOptions& options, std::size_t cases) {
          log + "\ncd " + shell_word(fs::current_path().string()) + " || exit\n" + command_of_a_case(options) +
          " --case \"$SLURM_ARRAY_TASK_ID\" &\n"
          "run=$! time_is_over=\n"
-         "trap 'kill -TERM \"$run\"' TERM  # of scancel\n"
-         "trap 'time_is_over=yes; kill -TERM \"$run\"' USR1\n"
+         "trap 'kill -HUP \"$run\"' TERM  # scancel\n"
+         "trap 'time_is_over=yes; kill -HUP \"$run\"' USR1\n"
          "while kill -0 \"$run\" 2>/dev/null; do wait \"$run\"; done  # a signal ends the waiting only\n"
          "wait \"$run\"\n"
          "code=$?\n"

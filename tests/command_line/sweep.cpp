@@ -172,10 +172,11 @@ TEST_CASE("The job array makes one case, and queues it again when its time is ov
 
   std::ofstream(queue) << "#!/bin/sh\necho \"$@\" >>" << (directory / "requeued").string() << "\n";
   fs::permissions(queue, fs::perms::owner_all);
+  // The limit of time is told to the script alone, an end by scancel to its run as well.
   const auto requeued_after = [&](const std::string& signal) {
     const std::string job = "PATH=" + (directory / "").string() +
-                            ":$PATH SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=2 timeout -s " + signal +
-                            " --foreground 0.7 bash " + (output / "array.sbatch").string() + " >/dev/null 2>&1";
+                            ":$PATH SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=2 timeout -s " + signal + " 0.7 bash " +
+                            (output / "array.sbatch").string() + " >/dev/null 2>&1";
     std::system(job.c_str());
     return fs::exists(directory / "requeued");
   };
@@ -186,7 +187,7 @@ TEST_CASE("The job array makes one case, and queues it again when its time is ov
     stopped = contains(geodrop::read_file(output / "case_002" / "summary.json"), "\"stopped\"");
   }
   CHECK(stopped);
-  for (int i = 0; i < 5 && !queued; ++i) queued = requeued_after("USR1");
+  for (int i = 0; i < 5 && !queued; ++i) queued = requeued_after("USR1 --foreground");
   CHECK(geodrop::read_file(directory / "requeued") == "requeue 7_2\n");
   CHECK(contains(geodrop::read_file(output / "case_002" / "summary.json"), "\"stopped\""));
   CHECK_FALSE(fs::exists(output / "case_001"));
