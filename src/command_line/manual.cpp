@@ -32,6 +32,15 @@ std::string roff(const std::string& plain) {
   return text;
 }
 
+/// Its arguments and options, but --help.
+std::string options_text(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : command.get_options())
+    if (!option->check_lname("help"))
+      text += ".TP\n.B " + roff(option->get_name()) + "\n" + roff(option->get_description()) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string bash_completion(const CLI::App& app) {
@@ -45,8 +54,8 @@ std::string bash_completion(const CLI::App& app) {
          "  local word=${COMP_WORDS[COMP_CWORD]} options=\"\"\n"
          "  if ((COMP_CWORD == 1)); then\n"
          "    mapfile -t COMPREPLY < <(compgen -W \"" +
-         names +
-         "help\" -- \"$word\")\n"
+         names + "help " + long_options(app) +
+         "\" -- \"$word\")\n"
          "    return\n"
          "  fi\n"
          "  case ${COMP_WORDS[1]} in\n" +
@@ -65,13 +74,12 @@ std::string manual_page(const CLI::App& app, const std::string& version) {
   std::string page =
       ".TH GEODROP 1 \"\" \"geodrop " + version +
       "\" \"User Commands\"\n.SH NAME\ngeodrop \\- Material Point Method for soil, water and geotextile\n"
-      ".SH SYNOPSIS\n.B geodrop\n.I COMMAND\n[\\fIOPTIONS\\fR]\n.SH COMMANDS\n";
+      ".SH SYNOPSIS\n.B geodrop\n.I COMMAND\n[\\fIOPTIONS\\fR]\n.br\n.B geodrop help\n"
+      "[\\fICOMMAND\\fR]\n.SH OPTIONS\n" +
+      options_text(app) + ".TP\n.B \\-\\-help\nwhat there is; after a command, its options\n.SH COMMANDS\n";
   for (const CLI::App* command : commands(app)) {
     page += ".SS geodrop " + roff(command->get_name()) + "\n" + roff(command->get_description()) + "\n";
-    for (const CLI::Option* option : command->get_options()) {
-      if (option->get_name() == "--help" || option->check_lname("help")) continue;
-      page += ".TP\n.B " + roff(option->get_name()) + "\n" + roff(option->get_description()) + "\n";
-    }
+    page += options_text(*command);
     if (const std::string examples = examples_of(command->get_name()); !examples.empty())
       page += ".PP\n.nf\n\\&" + roff(examples) + "\n.fi\n";
   }

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <regex>
+
 #include "support/program.hpp"
 #include "support/text.hpp"
 
@@ -15,6 +17,23 @@ std::string refused(const std::vector<std::string>& words) {
   const Outcome outcome = run_program(words);
   CHECK(outcome.code == 2);
   return outcome.err;
+}
+
+/// What the pattern's group finds in each line.
+std::vector<std::string> first_words(const std::string& text, const std::regex& pattern) {
+  std::vector<std::string> words;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (std::smatch match; std::regex_search(line, match, pattern)) words.push_back(match[1]);
+  return words;
+}
+
+/// What stands after the first text, up to the next one; empty if there is none.
+std::string between(const std::string& text, const std::string& before, const std::string& after) {
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + before.size();
+  return text.substr(begin, text.find(after, begin) - begin);
 }
 
 }  // namespace
@@ -52,11 +71,29 @@ TEST_CASE("help, and examples in the help of every command") {
   }
 }
 
-TEST_CASE("The manual and the completion know every command and option") {
-  const std::string page = run_program({"manual"}).out;
+TEST_CASE("The manual and the completion know every command and option that the help knows") {
+  const std::string page = run_program({"manual"}).out, completion = run_program({"manual", "--completion"}).out;
   CHECK(page.starts_with(".TH GEODROP 1"));
-  CHECK(contains(page, ".SS geodrop sweep"));
-  CHECK(contains(page, "\\-\\-no\\-run"));
+  CHECK(contains(page, ".B \\-\\-version\n"));
+  const std::string help = run_program({"--help"}).out;
+  const std::vector<std::string> commands =
+      first_words(help.substr(help.find("Subcommands:")), std::regex("^  ([a-z]+) "));
+  REQUIRE(commands.size() >= 20);
+  for (const std::string& command : commands) {
+    CAPTURE(command);
+    const std::string section = between(page, ".SS geodrop " + command + "\n", "\n.S");
+    const std::string completed = between(completion, "    " + command + ") options=\"", "\"") + ' ';
+    CHECK(contains(between(completion, "compgen -W \"", "\""), command + ' '));
+    for (const std::string& option :
+         first_words(run_program({command, "--help"}).out, std::regex("^  (?:-h,)?(--[a-z-]+)"))) {
+      CAPTURE(option);
+      CHECK(contains(completed, option + ' '));
+      CHECK((option == "--help" || contains(section, ".B " + std::regex_replace(option, std::regex("-"), "\\-"))));
+    }
+  }
+}
+
+TEST_CASE("The completion of bash") {
   const geodrop::TemporaryDirectory directory;
   std::ofstream(directory / "geodrop") << run_program({"manual", "--completion"}).out;
   const auto completed = [&](const std::string& words, int at) {
@@ -67,6 +104,7 @@ TEST_CASE("The manual and the completion know every command and option") {
     return geodrop::read_file(directory / "said");
   };
   CHECK(completed("geodrop sn", 1) == "snapshot\n");
+  CHECK(completed("geodrop --v", 1) == "--version\n");
   CHECK(completed("geodrop run a.toml --ov", 3) == "--overwrite\n");
   CHECK(completed("geodrop sweep --no", 2) == "--no-run\n");
 }
