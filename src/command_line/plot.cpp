@@ -5,6 +5,7 @@
 #include "plot/column_chart.hpp"
 #include "plot/run_charts.hpp"
 #include "plot/sweep_chart.hpp"
+#include "unfinished_runs.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -76,6 +77,7 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments) {
 
 int run_plot(const PlotArguments& arguments) {
   if (!arguments.over.empty()) return plot_sweep(arguments);
+  tell_unfinished_runs(arguments.directories);
   if (!arguments.columns.empty()) return plot_columns(arguments);
   if (!arguments.output.empty())
     throw SceneError("geodrop plot", {{{},

@@ -4,6 +4,7 @@
 
 #include "only_if.hpp"
 #include "report/compare.hpp"
+#include "unfinished_runs.hpp"
 
 namespace geodrop {
 
@@ -33,6 +34,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
 }
 
 int run_report(const ReportArguments& arguments) {
+  tell_unfinished_runs({arguments.directory});
   const fs::path directory = arguments.directory;
   const fs::path page = arguments.output.empty() ? directory / "report.html" : fs::path(arguments.output);
   write_report({directory, page, arguments.factors});
@@ -46,6 +48,7 @@ int run_report(const ReportArguments& arguments) {
 }
 
 int run_compare(const CompareArguments& arguments) {
+  tell_unfinished_runs(arguments.directories);
   std::cout << compare_runs({arguments.directories.begin(), arguments.directories.end()});
   return 0;
 }

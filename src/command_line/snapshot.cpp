@@ -13,6 +13,7 @@
 #include "files/read_frames.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
+#include "unfinished_runs.hpp"
 
 namespace geodrop {
 namespace {
@@ -97,6 +98,7 @@ void add_animate_options(CLI::App& command, SnapshotArguments& arguments) {
 }
 
 int run_snapshot(const SnapshotArguments& arguments) {
+  tell_unfinished_runs({arguments.directory});
   const fs::path directory = arguments.directory;
   const std::vector<double> times = frame_times(directory);
   const Scene scene = read_scene(directory / "scene.toml");
@@ -116,6 +118,7 @@ int run_snapshot(const SnapshotArguments& arguments) {
 }
 
 int run_animate(const SnapshotArguments& arguments) {
+  tell_unfinished_runs({arguments.directory});
   const fs::path directory = arguments.directory;
   std::vector<std::size_t> frames(frame_times(directory).size());
   std::iota(frames.begin(), frames.end(), std::size_t{0});

@@ -24,6 +24,8 @@ struct RunRecord {
   std::vector<Expectation> expectations;
   std::string state_hash;
 
+  /// Time, steps and results are not known: the run is at work, or was killed.
+  bool is_running() const { return status == "running"; }
   /// NaN if there is none of this name.
   double result(const std::string& name) const;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 namespace geodrop {
 namespace {
@@ -51,9 +52,11 @@ TextTable read_text_table(const std::filesystem::path& path, const std::string& 
   return table;
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
+CsvTable read_csv(const std::filesystem::path& path, LastRow last) {
   constexpr std::uint64_t most = std::uint64_t{4} << 30;
-  std::istringstream file(read_input(path, "", "a table of numbers", most));
+  std::string text = read_input(path, "", "a table of numbers", most);
+  if (last == LastRow::whole) text.resize(text.rfind('\n') + 1);
+  std::istringstream file(std::move(text));
   std::string line;
   std::getline(file, line);
   CsvTable table{cells(line), {}, path.string()};

@@ -27,7 +27,10 @@ struct TextTable {
 /// with `what` as what is allowed, or a row is not as wide as the header.
 TextTable read_text_table(const std::filesystem::path& file, const std::string& what);
 
+/// A row that is still being written, or was when its run was killed, has no end of line.
+enum class LastRow { any, whole };
+
 /// Throws SceneError with line and column where a cell is no number, or a row is not as wide as the header.
-CsvTable read_csv(const std::filesystem::path& file);
+CsvTable read_csv(const std::filesystem::path& file, LastRow last = LastRow::any);
 
 }  // namespace geodrop

@@ -168,7 +168,7 @@ CsvTable read_history(const std::filesystem::path& directory) {
     throw SceneError(history.string(), {{{}, "", found, "the history of a run", ProblemSource::elsewhere}});
   };
   if (const std::string fault = open_input(history).fault; !fault.empty()) refuse(fault);
-  CsvTable table = read_csv(history);
+  CsvTable table = read_csv(history, LastRow::whole);
   if (table.rows() == 0) refuse("no row of numbers");
   return table;
 }

@@ -83,11 +83,12 @@ std::string effort(const std::vector<fs::path>& runs, const std::vector<RunRecor
   Lines lines{head_of("run", runs), {"status"},  {"time [s]"}, {"particles"}, {"steps"},
               {"wall time"},        {"version"}, {"state"}};
   for (const RunRecord& record : records) {
+    const auto once_over = [&](const std::string& cell) { return record.is_running() ? "-" : cell; };
     const std::vector<std::string> cells{record.status,
-                                         figure(record.run.t, Scaled{}),
+                                         once_over(figure(record.run.t, Scaled{})),
                                          std::to_string(record.run.particles),
-                                         std::to_string(record.run.steps),
-                                         format_duration(record.wall_seconds),
+                                         once_over(std::to_string(record.run.steps)),
+                                         once_over(format_duration(record.wall_seconds)),
                                          record.version,
                                          record.state_hash};
     for (std::size_t i = 0; i < cells.size(); ++i) lines[i + 1].push_back(cells[i]);

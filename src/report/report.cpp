@@ -60,11 +60,12 @@ std::string leading_comment(const std::string& toml) {
 
 std::string head(const Source& source) {
   const RunRecord& record = source.record;
+  const double t = record.is_running() ? source.history.column("time_s").back() : record.run.t;
   std::string page = "<h1>" + text(record.title) + "</h1>\n";
   if (!source.scene.question.empty()) page += "<p class=\"question\">" + text(source.scene.question) + "</p>\n";
   page += "<p>Run of " + text(record.scene) + " by geodrop " + text(record.version) + ", " +
           text(record.run.ended.empty() ? record.run.started : record.run.ended) + ": <b>" + text(record.status) +
-          "</b> at t = " + figure(record.run.t, "s") + ".</p>\n";
+          "</b> at t = " + figure(t, "s") + ".</p>\n";
   if (!record.message.empty()) page += "<p class=\"warning\">" + text(record.message) + "</p>\n";
   return page;
 }

@@ -123,6 +123,19 @@ TEST_CASE("plot draws no section where nothing opens or a force is missing") {
   CHECK(outcome.out == (directory / "history.svg").string() + "\n");
 }
 
+TEST_CASE("A row of the history that is still being written is left out") {
+  const geodrop::TemporaryDirectory directory;
+  const auto picture = [&](const std::string& last) {
+    std::ofstream(directory / "history.csv") << "time_s,a.velocity_x_m_s\n0,0\n1,1.5\n" << last;
+    CHECK(run_program({"plot", directory / ""}).code == 0);
+    return geodrop::read_file(directory / "history.svg");
+  };
+  const std::string whole = picture("");
+  CHECK(picture("2,1") == whole);  // of 2,1.75
+  CHECK(picture("2") == whole);
+  CHECK(picture("2,1.75\n") != whole);
+}
+
 TEST_CASE("plot says what is missing") {
   const geodrop::TemporaryDirectory directory;
   const auto check = [&](const std::string& says) {
