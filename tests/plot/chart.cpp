@@ -73,7 +73,8 @@ TEST_CASE("A picture shows every panel, label and point, and moves with a value"
 
 TEST_CASE("Notes stand below the title, in as many lines as they need") {
   Chart chart = parabola();
-  chart.notes = {"short", std::string(60, 'a') + " " + std::string(60, 'b')};
+  const std::string first(60, 'a'), second(60, 'b');
+  chart.notes = {"short", first + ' ' + second};
   const std::string script = gnuplot_script(chart, "picture.svg");
   CHECK(contains(script, "title 'curves'.\"\\n\".'short'.\"\\n\".'" + std::string(60, 'a') + "'.\"\\n\".'" +
                              std::string(60, 'b') + "'"));
