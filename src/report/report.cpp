@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <set>
+#include <map>
 #include <vector>
 
 #include "base/atomic_file.hpp"
@@ -192,9 +192,10 @@ std::string histories(const Source& source) {
 struct Instant {
   double time = 0;
   std::string why;
+  bool is_end = false;
 };
 
-/// Start, times that results tell, largest tensions, end; of those of one frame only the first.
+/// Start, times that results tell, largest tensions, end.
 std::vector<Instant> key_instants(const Source& source) {
   constexpr std::size_t most = 6;
   std::vector<Instant> instants{{0, "start"}};
@@ -205,7 +206,7 @@ std::vector<Instant> key_instants(const Source& source) {
   for (const PeakTension& peak : peak_tensions(source.scene, source.history))
     instants.push_back({peak.time, "largest tension in " + peak.membrane});
   if (instants.size() >= most) instants.resize(most - 1);
-  instants.push_back({end, "end"});
+  instants.push_back({end, "end", true});
   std::ranges::stable_sort(instants, {}, &Instant::time);
   return instants;
 }
@@ -247,21 +248,25 @@ std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene&
   if (has_particles) add("layers", {}, "bodies and layers");
   if (scene.dimension == 3 && written("tension")) add("tension", close, "tension of the membranes");
   if (has_particles && close && instant.time > 0 && written("velocity")) add("velocity", close, "velocity");
-  if (has_particles && instant.why == "end" && written("mean_pressure"))
+  if (has_particles && instant.is_end && written("mean_pressure"))
     add("mean_pressure", close, "mean pressure, compression positive");
   const char* const vertical = scene.dimension == 3 ? "stress_zz" : "stress_yy";
-  if (has_particles && instant.why == "end" && written(vertical)) add(vertical, close, stress_caption(scene));
+  if (has_particles && instant.is_end && written(vertical)) add(vertical, close, stress_caption(scene));
   return pictures;
 }
 
 std::string pictures(const Source& source) {
   if (!fs::exists(source.options.directory / "particles.pvd")) return "";
   const std::vector<double> times = frame_times(source.options.directory);
-  std::string page;
-  std::set<std::size_t> drawn;
+  std::map<std::size_t, Instant> frames;
   for (const Instant& instant : key_instants(source)) {
-    const std::size_t index = frame_near(times, instant.time);
-    if (!drawn.insert(index).second) continue;
+    const auto [at, is_first] = frames.try_emplace(frame_near(times, instant.time), instant);
+    if (is_first) continue;
+    at->second.why += ", " + instant.why;
+    at->second.is_end |= instant.is_end;
+  }
+  std::string page;
+  for (const auto& [index, instant] : frames) {
     const Snapshot snapshot = read_frame(source.options.directory, index);
     const std::string time = "t = " + figure(snapshot.t, "s") + ", " + instant.why;
     for (const CaptionedPicture& picture : pictures_of(snapshot, source.scene, instant))

@@ -76,8 +76,9 @@ TEST_CASE("Water: its surface, its speed of sound, a gap below it") {
 TEST_CASE("Gaps below water and beside it, in the plane and in space; a dam break is none") {
   const std::string shore = main_case({"bodies.water.shape.lower.0=-15.5"});
   CHECK(contains(shore, "\"water\" ends 0.5 m before the end of the domain along x"));
-  const auto basin = [](std::vector<std::string> settings) {
-    settings.insert(settings.end(), {"grid.upper=[4.0, 3.0, 2.5]", "bodies.water.shape.upper=[4.0, 3.0, 2.0]"});
+  const auto basin = [](const std::vector<std::string>& more) {
+    std::vector<std::string> settings{"grid.upper=[4.0, 3.0, 2.5]", "bodies.water.shape.upper=[4.0, 3.0, 2.0]"};
+    settings.insert(settings.end(), more.begin(), more.end());
     return joined(settings, "cases/hydrostatic_column_3d.toml");
   };
   CHECK(basin({}) == "");

@@ -22,7 +22,7 @@ SectionOf<RefineSpec> grid_refine_section() {
 axis = "x"
 from = -1.5
 to = 1.5
-spacing = 0.125)", {
+spacing = 0.0625)", {
       key("axis", &RefineSpec::axis, {{"x", 0}, {"y", 1}}, required, "along which cells are finer").in(2),
       key("axis", &RefineSpec::axis, {{"x", 0}, {"y", 1}, {"z", 2}}, required, "along which cells are finer").in(3),
       key("from", &RefineSpec::from, "m", required, any, "where the zone begins"),
@@ -38,8 +38,8 @@ SectionOf<GridSpec> grid_section() {
       "[grid]", "",
       "The domain and its cells. Walls stand on the domain's edges, which are grid lines.",
       R"([grid]
-lower = [-4.0, -1.0]
-upper = [4.0, 7.0]
+lower = [-3.0, -1.0]
+upper = [3.0, 7.0]
 spacing = 0.125)", {
       key("lower", &GridSpec::lower, "m", required, any, "lower corner of the domain"),
       key("upper", &GridSpec::upper, "m", required, any, "upper corner of the domain"),

@@ -76,7 +76,7 @@ SectionOf<ViscousBoundarySpec> viscous_boundaries_section() {
       R"([[bodies]]
 name = "bed"
 material = "sand"
-shape = { type = "box", lower = [-4.0, -1.0], upper = [2.0, 0.0] }  # and empty grid beyond its edge
+shape = { type = "box", lower = [-3.0, -1.0], upper = [2.0, 0.0] }  # and empty grid beyond its edge
 initial_stress = { type = "k0", surface = 0.0, k0 = 0.5, under = "air" }
 
 [[viscous_boundaries]]
