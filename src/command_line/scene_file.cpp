@@ -38,7 +38,7 @@ CLI::Option* names_scene(CLI::Option* option) {
 std::string find_scene(const std::string& typed) {
   std::error_code none;
   if (typed.empty() || fs::exists(typed, none)) return typed;
-  if (const std::string here = typed + ending; fs::exists(here, none)) return here;
+  if (std::string here = typed + ending; fs::exists(here, none)) return here;
   const fs::path found = shipped_case(typed);
   return found.empty() ? typed : found.string();
 }

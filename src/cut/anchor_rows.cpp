@@ -26,8 +26,8 @@ RawRow<Dim> row_at(const Grids<Dim>& grids, const Membrane<Dim>& membrane, std::
 }  // namespace
 
 template <int Dim>
-std::vector<AnchorRow<Dim>> anchor_rows(State<Dim>& state, const Grids<Dim>& grids) {
-  std::vector<AnchorRow<Dim>> rows;
+AnchorRows<Dim> anchor_rows(State<Dim>& state, const Grids<Dim>& grids) {
+  AnchorRows<Dim> rows;
   const double scale = std::pow(grids.front().layout.h, Dim - 1);
   for (Anchor<Dim>& anchor : state.anchors) {
     const Membrane<Dim>& membrane = find_named(state.membranes, anchor.membrane);
@@ -47,7 +47,7 @@ std::vector<AnchorRow<Dim>> anchor_rows(State<Dim>& state, const Grids<Dim>& gri
 }
 
 template <int Dim>
-void add_laws(const std::vector<AnchorRow<Dim>>& rows, double dt, SparseRows& S, Eigen::VectorXd& rate) {
+void add_laws(const AnchorRows<Dim>& rows, double dt, SparseRows& S, Eigen::VectorXd& rate) {
   Eigen::Index r = rate.size() - static_cast<Eigen::Index>(rows.size());
   for (const AnchorRow<Dim>& row : rows) {
     const double yields = row.scale * row.scale * row.anchor->compliance / (dt * dt);
@@ -57,7 +57,7 @@ void add_laws(const std::vector<AnchorRow<Dim>>& rows, double dt, SparseRows& S,
 }
 
 template <int Dim>
-void keep_forces(const std::vector<AnchorRow<Dim>>& rows, double dt, const Eigen::VectorXd& multipliers,
+void keep_forces(const AnchorRows<Dim>& rows, double dt, const Eigen::VectorXd& multipliers,
                  const Eigen::VectorXd& missing) {
   for (const AnchorRow<Dim>& row : rows) row.anchor->force.fill(0);
   Eigen::Index r = multipliers.size() - static_cast<Eigen::Index>(rows.size());
@@ -69,10 +69,10 @@ void keep_forces(const std::vector<AnchorRow<Dim>>& rows, double dt, const Eigen
   }
 }
 
-#define GEODROP_INSTANTIATE(D)                                                                     \
-  template std::vector<AnchorRow<D>> anchor_rows(State<D>&, const Grids<D>&);                      \
-  template void add_laws(const std::vector<AnchorRow<D>>&, double, SparseRows&, Eigen::VectorXd&); \
-  template void keep_forces(const std::vector<AnchorRow<D>>&, double, const Eigen::VectorXd&, const Eigen::VectorXd&);
+#define GEODROP_INSTANTIATE(D)                                                         \
+  template AnchorRows<D> anchor_rows(State<D>&, const Grids<D>&);                      \
+  template void add_laws(const AnchorRows<D>&, double, SparseRows&, Eigen::VectorXd&); \
+  template void keep_forces(const AnchorRows<D>&, double, const Eigen::VectorXd&, const Eigen::VectorXd&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

@@ -33,17 +33,20 @@ struct AnchorRow {
   double last() const { return -along.dot(Vec<Dim>(anchor->force.data())) / scale; }
 };
 
+template <int Dim>
+using AnchorRows = std::vector<AnchorRow<Dim>>;
+
 /// Those of the sharp membranes that are there, where the field inside has mass.
 template <int Dim>
-std::vector<AnchorRow<Dim>> anchor_rows(State<Dim>& state, const Grids<Dim>& grids);
+AnchorRows<Dim> anchor_rows(State<Dim>& state, const Grids<Dim>& grids);
 
 /// Adds what the anchors' laws say to the system of all rows, theirs last.
 template <int Dim>
-void add_laws(const std::vector<AnchorRow<Dim>>& rows, double dt, SparseRows& S, Eigen::VectorXd& rate);
+void add_laws(const AnchorRows<Dim>& rows, double dt, SparseRows& S, Eigen::VectorXd& rate);
 
 /// Keeps force and stretch; `missing`: what the multipliers leave of the system's right side.
 template <int Dim>
-void keep_forces(const std::vector<AnchorRow<Dim>>& rows, double dt, const Eigen::VectorXd& multipliers,
+void keep_forces(const AnchorRows<Dim>& rows, double dt, const Eigen::VectorXd& multipliers,
                  const Eigen::VectorXd& missing);
 
 }  // namespace geodrop

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/needs.hpp"
+
 namespace geodrop {
 namespace {
 
 bool has(const CsvTable& table, const std::string& column) {
   return std::ranges::find(table.names, column) != table.names.end();
-}
-
-bool is_enclosed(const Scene& scene, const BodySpec& body) {
-  return std::ranges::any_of(scene.membranes,
-                             [&](const MembraneSpec& each) { return each.closed && each.body == body.name; });
 }
 
 bool is_bed(const Scene& scene, const std::string& bed, const BodySpec& body) {

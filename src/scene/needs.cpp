@@ -69,6 +69,12 @@ std::string body_inside(const Scene& scene, const MembraneSpec& membrane) {
   return "";
 }
 
+bool is_enclosed(const Scene& scene, const BodySpec& body) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
+    return (scene.dimension == 3 || membrane.closed) && body_inside(scene, membrane) == body.name;
+  });
+}
+
 bool in_sharp_membrane(const Scene& scene, const std::string& body) {
   return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
     return membrane.interface == Interface::sharp && body_inside(scene, membrane) == body;

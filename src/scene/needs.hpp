@@ -30,6 +30,9 @@ bool saturates(const Scene& scene, const std::string& body);
 /// The body inside a membrane; "" if a membrane in space is empty.
 std::string body_inside(const Scene& scene, const MembraneSpec& membrane);
 
+/// Whether a closed membrane lies around a body.
+bool is_enclosed(const Scene& scene, const BodySpec& body);
+
 /// Whether a body is inside a membrane with a sharp interface.
 bool in_sharp_membrane(const Scene& scene, const std::string& body);
 

@@ -91,7 +91,8 @@ TEST_CASE("Gaps below water and beside it, in the plane and in space; a dam brea
       "rigid=[{ name = 'quay', shape = { type = 'box', lower = [3.0, -1.0, -1.0], upper = [5.0, "
       "4.0, 4.0] } }]";
   CHECK(contains(basin({rigid, "bodies.water.shape.upper=[2.8, 3.0, 2.0]"}), "before a rigid surface along x"));
-  CHECK(basin({"bodies.water.shape.lower.0=2.0"}) == "");  // a dam break
+  CHECK(basin({"bodies.water.shape.lower.0=2.0"}) == "");                         // a dam break
+  CHECK_FALSE(contains(joined({}, "cases/geotube_fluid_3d.toml"), "it will f"));  // its membrane holds it
 }
 
 TEST_CASE("Numbers out of scale, and output that fills the disk") {
