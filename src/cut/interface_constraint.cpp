@@ -210,7 +210,7 @@ template <int Dim>
 struct Joint {
   std::vector<Contact<Dim>> contacts;
   std::vector<RowsOfContact<Dim>> said;  ///< of each contact
-  std::vector<AnchorRow<Dim>> held;
+  AnchorRows<Dim> held;
 };
 
 /// Multipliers of the last step, and which may only push (lines: pull).

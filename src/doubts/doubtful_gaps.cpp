@@ -10,6 +10,7 @@
 #include "contact/space_surface.hpp"
 #include "open_fluid.hpp"
 #include "scene/needs.hpp"
+#include "setup/site_share.hpp"
 
 namespace geodrop {
 namespace {
@@ -32,6 +33,7 @@ struct Thing {
 class Places {
  public:
   explicit Places(const Scene& scene) : scene_(scene) {
+    for (const BodySpec& body : scene.bodies) regions_.emplace_back(scene, body);
     for (const RigidSpec& rigid : scene.rigid) {
       if (scene.dimension == 3)
         in_space_.emplace_back(make_rigid_body(rigid));
@@ -49,14 +51,8 @@ class Places {
 
  private:
   const BodySpec* body_at(const Point& x) const {
-    for (const BodySpec& body : scene_.bodies) {
-      const bool cut = std::ranges::any_of(body.minus, [&](const std::string& name) {
-        const BodySpec* other = find_body(scene_, name);
-        return other && contains(other->shape, x);
-      });
-      if (!cut && contains(body.shape, x)) return &body;
-    }
-    return nullptr;
+    const auto found = std::ranges::find_if(regions_, [&](const BodyRegion& region) { return region.holds(x); });
+    return found == regions_.end() ? nullptr : &scene_.bodies[static_cast<std::size_t>(found - regions_.begin())];
   }
 
   /// In the plane also half a step beside a surface, so that no thin wall is stepped over.
@@ -76,6 +72,7 @@ class Places {
   }
 
   const Scene& scene_;
+  std::vector<BodyRegion> regions_;  ///< of each body
   std::vector<RigidSurface> in_plane_;
   std::vector<SpaceSurface> in_space_;
 };

@@ -117,9 +117,10 @@ int read_lines(const fs::path& file, LineSnapshot& to, const char* number, std::
 
 std::vector<double> frame_times(const fs::path& directory) {
   const fs::path file = directory / "particles.pvd";
-  if (const auto record = find_run_record(directory); record && !fs::exists(file))
-    refuse(directory, record->is_running() ? "a run without a frame so far: at work, or killed before its first one"
-                                           : "a run without frames");
+  if (!fs::exists(file))
+    if (const auto record = find_run_record(directory))
+      refuse(directory, record->is_running() ? "a run without a frame so far: at work, or killed before its first one"
+                                             : "a run without frames");
   const std::string text = read_input(file, "", "the frames of a run"), mark = "timestep=\"";
   std::vector<double> times;
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))

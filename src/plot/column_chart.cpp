@@ -24,59 +24,65 @@ const std::vector<double>& column_of(const CsvTable& table, const std::string& n
                      ProblemSource::elsewhere}});
 }
 
-std::string label(const std::string& quantity, const std::string& unit) {
-  return quantity + " [" + (unit.empty() ? "-" : unit == "1" ? "-" : unit) + "]";
+/// "-" for numbers without unit.
+std::string unit_of_axis(const std::string& column) {
+  const std::string unit = unit_of_name(column);
+  return unit.empty() || unit == "1" ? "-" : unit;
 }
+
+/// The curves of columns of one unit.
+struct PanelOfUnit {
+  std::string unit;
+  ChartPanel panel;
+};
 
 /// The panel of a unit, made when it is first asked for.
-ChartPanel& panel_of(Chart& chart, const std::string& unit, const std::string& x_label) {
-  const std::string y_label = label("value", unit);
-  const auto found = std::ranges::find(chart.panels, y_label, &ChartPanel::y_label);
-  if (found != chart.panels.end()) return *found;
-  return chart.panels.emplace_back(ChartPanel{"", x_label, y_label, {}});
+ChartPanel& panel_of(std::vector<PanelOfUnit>& panels, const std::string& unit, const std::string& x_label) {
+  const auto found = std::ranges::find(panels, unit, &PanelOfUnit::unit);
+  if (found != panels.end()) return found->panel;
+  return panels.emplace_back(PanelOfUnit{unit, {"", x_label, "", {}}}).panel;
 }
 
-/// "RUN: QUANTITY" as "RUN" where all curves are of one quantity, which the axis names then.
-void name_by_run(ChartPanel& panel) {
+/// "RUN: QUANTITY" as "RUN" where all curves are of one quantity, which is what the axis then has; else it has values.
+std::string name_by_run(ChartPanel& panel) {
   const auto split = [](const std::string& label) {
     const std::size_t colon = label.find(": ");
     return colon == std::string::npos ? std::pair{std::string(), label}
                                       : std::pair{label.substr(0, colon), label.substr(colon + 2)};
   };
-  const std::string quantity = split(panel.series.front().label).second;
+  std::string quantity = split(panel.series.front().label).second;
   for (const ChartSeries& series : panel.series)
-    if (split(series.label).second != quantity) return;
+    if (split(series.label).second != quantity) return "value";
   for (ChartSeries& series : panel.series) series.label = split(series.label).first;
-  panel.y_label = quantity + panel.y_label.substr(panel.y_label.find(" ["));
+  return quantity;
 }
 
 }  // namespace
 
 Chart column_chart(const ColumnChartOptions& options) {
-  Chart chart;
-  const std::string x_label = label(in_words(options.against), unit_of_name(options.against));
+  std::vector<PanelOfUnit> panels;
+  const std::string x_label = in_words(options.against) + " [" + unit_of_axis(options.against) + "]";
   for (const auto& run : options.runs) {
     const CsvTable table = read_history(run);
     const std::string name = std::filesystem::path(run / "").parent_path().filename().string();
     for (const std::string& column : options.columns)
-      panel_of(chart, unit_of_name(column), x_label)
+      panel_of(panels, unit_of_axis(column), x_label)
           .series.push_back({(options.runs.size() > 1 ? name + ": " : "") + in_words(column),
                              column_of(table, options.against), column_of(table, column)});
   }
   for (const auto& file : options.references) {
     const CsvTable table = read_csv(file);
     for (const std::string& column : table.names) {
-      const std::string y_label = label("value", unit_of_name(column));
-      const auto panel = std::ranges::find(chart.panels, y_label, &ChartPanel::y_label);
-      if (column == options.against || panel == chart.panels.end()) continue;
-      panel->series.push_back({file.stem().string() + ": " + in_words(column), column_of(table, options.against),
-                               table.column(column), SeriesStyle::dashed});
+      const auto found = std::ranges::find(panels, unit_of_axis(column), &PanelOfUnit::unit);
+      if (column == options.against || found == panels.end()) continue;
+      found->panel.series.push_back({file.stem().string() + ": " + in_words(column), column_of(table, options.against),
+                                     table.column(column), SeriesStyle::dashed});
     }
   }
-  for (ChartPanel& panel : chart.panels) {
-    name_by_run(panel);
-    const std::size_t unit = panel.y_label.find(" [");
-    set_y_unit(panel, panel.y_label.substr(0, unit), panel.y_label.substr(unit + 2, panel.y_label.size() - unit - 3));
+  Chart chart;
+  for (auto& [unit, panel] : panels) {
+    set_y_unit(panel, name_by_run(panel), unit);
+    chart.panels.push_back(panel);
   }
   chart.columns = chart.panels.size() > 1 ? 2 : 1;
   return chart;

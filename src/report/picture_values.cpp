@@ -72,14 +72,12 @@ std::vector<Base> colours_of_bodies(const Scene& scene) {
   std::vector<Base> colours;
   for (const BodySpec& body : scene.bodies) {
     const MaterialSpec& material = *find_material(scene, body.material);
-    const bool is_fill =
-        std::ranges::any_of(scene.membranes, [&](const MembraneSpec& each) { return each.body == body.name; });
     if (lies_in_pores(scene, body))
       colours.push_back(waters.front());  // is not drawn
     else if (is_fluid(material))
       colours.push_back(palette.next_water());
     else if (is_soil(material))
-      colours.push_back(is_fill ? palette.next_fill() : palette.next_ground());
+      colours.push_back(is_enclosed(scene, body) ? palette.next_fill() : palette.next_ground());
     else
       colours.push_back(palette.next_other());
   }
