@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "bench/child.hpp"
 #include "files/run_directory.hpp"
+#include "files/run_lock.hpp"
 #include "files/run_record.hpp"
 #include "keys/key.hpp"
 
@@ -49,9 +50,17 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
+/// Runs of an earlier call that was killed may still be at work, to write their checkpoint.
+void wait_for_earlier_run(const fs::path& directory) {
+  if (const auto who = run_at_work(directory))
+    std::cout << directory.filename().string() + ": waits for " + *who + ", which is at work there\n" << std::flush;
+  while (run_at_work(directory) && !stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
 }  // namespace
 
 std::string state_of(const Member& member) {
+  if (member.at_work) return "running";
   if (!member.code) return "waiting";
   if (*member.code == 0) return "done";
   return *member.code == exit_stopped ? "stopped" : "failed";
@@ -146,6 +155,7 @@ void Batch::look() {
   for (Member& member : members_) {
     const std::optional<RunRecord> record = find_run_record(member.directory);
     member.results.assign(names_.size(), std::numeric_limits<double>::quiet_NaN());
+    member.at_work = run_at_work(member.directory).has_value();
     if (!record) continue;
     for (std::size_t r = 0; r < names_.size(); ++r) member.results[r] = record->result(names_[r]);
     if (record->status == "done") member.code = 0;
@@ -155,12 +165,23 @@ void Batch::look() {
   write_manifest();
 }
 
+void Batch::begin(Member& member) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  member.at_work = true;
+  member.code.reset();
+  write_manifest();
+}
+
 void Batch::make(std::size_t i, std::atomic<pid_t>& process) {
   Member& member = members_[i];
+  wait_for_earlier_run(member.directory);
+  if (stop_requested()) return;
   const std::vector<std::string> words = command(member);
+  if (!words.empty()) begin(member);
   const int code = words.empty() ? 0 : run_child(words, ChildErrors::drop, &process).code;
   const std::lock_guard<std::mutex> lock(mutex_);
   member.code = code;
+  member.at_work = false;
   const std::optional<RunRecord> record = find_run_record(member.directory);
   for (std::size_t r = 0; record && r < names_.size(); ++r) member.results[r] = record->result(names_[r]);
   ++ended_;

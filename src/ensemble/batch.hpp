@@ -30,6 +30,7 @@ struct Member {
   std::vector<std::string> values;  ///< by key, as --set takes them
   std::optional<int> code;          ///< exit code, once it has ended
   std::vector<double> results;      ///< by name; NaN: none
+  bool at_work = false;             ///< a process makes it now
 };
 
 class Batch {
@@ -41,8 +42,8 @@ class Batch {
   void check(const std::vector<std::vector<std::string>>& values);
   /// Makes the directory. Throws SceneError if it holds runs of another design.
   void claim();
-  /// Makes the runs: one that is done already is not made again, one that was stopped goes on. Writes manifest.csv
-  /// after each. Ctrl-C or SIGTERM stops the runs with a checkpoint. Returns 0, 1 if a run failed, 75 if it was
+  /// Makes the runs: one that is done already is not made again, one that was stopped goes on, one that a process of an
+  /// earlier call still writes is waited for. Writes manifest.csv at the start and end of each. Ctrl-C or SIGTERM stops the runs with a checkpoint. Returns 0, 1 if a run failed, 75 if it was
   /// stopped.
   int run();
   /// What is there, without a run.
@@ -57,6 +58,7 @@ class Batch {
 
  private:
   void make(std::size_t i, std::atomic<pid_t>& process);
+  void begin(Member& member);
   void write_manifest() const;
 
   BatchOptions options_;
@@ -66,7 +68,7 @@ class Batch {
   std::size_t ended_ = 0;
 };
 
-/// "waiting", "done", "stopped", "failed".
+/// "waiting", "running", "done", "stopped", "failed".
 std::string state_of(const Member& member);
 
 /// Writes a table as CSV and prints it.

@@ -44,6 +44,15 @@ std::string host_name() {
   return name.data();
 }
 
+std::optional<std::string> run_at_work(const std::filesystem::path& directory) {
+  const int file = open((directory / RunLock::file_name).c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) return std::nullopt;
+  const bool held = flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const std::string who = held ? holder(file) : "";
+  close(file);
+  return held ? std::optional(who) : std::nullopt;
+}
+
 RunLock::RunLock(const std::filesystem::path& directory) {
   while (!try_to_take(directory)) close_both();
   const std::string text = "process " + std::to_string(getpid()) + " on host " + host_name() + "\n";

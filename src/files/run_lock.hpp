@@ -2,12 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace geodrop {
 
 /// Name of this machine.
 std::string host_name();
+
+/// Who holds the lock of a directory, e.g. "process 4711 on host weir"; none if no run is at work there.
+std::optional<std::string> run_at_work(const std::filesystem::path& directory);
 
 /// A lock on run.lock in a directory, which names process and machine. The system drops it when the process ends,
 /// however it ends. It goes with its directory if that is renamed.

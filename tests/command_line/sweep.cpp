@@ -97,6 +97,7 @@ TEST_CASE("A sweep that is killed leaves runs that go on, and the second call co
   const std::vector<std::string> words = long_sweep(output);
   Program first(words);
   REQUIRE(wait_until([&] { return is_at_work(output / "case_001") && is_at_work(output / "case_002"); }));
+  CHECK(csv(output / "manifest.csv")[1][2] == "running");
   first.signal(SIGKILL);
   CHECK(first.wait().code == 128 + SIGKILL);
   // They are asked to stop when their sweep is gone, and have a checkpoint then.
@@ -112,21 +113,43 @@ TEST_CASE("A sweep that is killed leaves runs that go on, and the second call co
   CHECK(contains(geodrop::read_file(output / "case_001" / "run.log"), "resumed at t = "));
 }
 
+TEST_CASE("A case that a process of an earlier call still writes is waited for, and shown as running") {
+  const geodrop::TemporaryDirectory directory;
+  const fs::path output = fs::path(directory / "held");
+  std::vector<std::string> words = sweep(output, {"--set", "time.end=0.01", "--vary", stiffness + "8e6,16e6"});
+  words.emplace_back("--no-run");
+  REQUIRE(run_program(words).code == 0);
+  fs::create_directories(output / "case_001");
+  auto lock = std::make_optional<geodrop::RunLock>(output / "case_001");
+  CHECK(contains(line(run_program(words).out, "case_001"), "running"));
+  words.pop_back();
+  Program waits(words);
+  REQUIRE(wait_until([&] { return done(output) == 1; }));
+  lock.reset();
+  const Outcome outcome = waits.wait();
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "case_001: waits for process " + std::to_string(getpid())));
+  CHECK(done(output) == 2);
+}
+
 TEST_CASE(
     "Twenty cases, all processes killed at once in the middle: the same command completes them, with the same "
     "numbers") {
   const geodrop::TemporaryDirectory directory;
   const fs::path killed = fs::path(directory / "killed"), whole = fs::path(directory / "whole");
-  const std::vector<std::string> more{"--set",  "time.end=0.2",           "--set", "output.history_interval=0.01",
+  const std::vector<std::string> more{"--set",  "time.end=0.5",           "--set", "output.history_interval=0.01",
                                       "--vary", stiffness + "8e6:16e6:20"};
   Program first(sweep(killed, more));
   REQUIRE(wait_until([&] { return fs::exists(killed / "manifest.csv") && done(killed) >= 7; }));
-  first.signal(SIGSTOP);  // so that it begins no other run meanwhile
   int runs = 0;
-  for (const auto& entry : fs::directory_iterator(killed)) runs += kill_run(entry.path());
+  REQUIRE(wait_until([&] {
+    first.signal(SIGSTOP);  // so that it begins no other run meanwhile
+    for (const auto& entry : fs::directory_iterator(killed)) runs += kill_run(entry.path());
+    if (runs == 0) first.signal(SIGCONT);
+    return runs > 0;
+  }));
   first.signal(SIGKILL);
   CHECK(first.wait().code == 128 + SIGKILL);
-  CHECK(runs > 0);
   CHECK(done(killed) < 20);
 
   CHECK(run_program(sweep(killed, more)).code == 0);
