@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "base/text.hpp"
 #include "check_resumable.hpp"
 #include "files/checkpoint_files.hpp"
 
@@ -28,7 +29,13 @@ State<Dim> initial_state(const Scene& scene) {
   const Scene before = read_scene(directory / "scene.toml");
   if (before.dimension != Dim)
     refuse(scene.file, "a run with dimension = " + std::to_string(before.dimension), "one of the same dimension");
-  const State<Dim> end = find_checkpoint<Dim>(directory, before).checkpoint.state;
+  const FoundCheckpoint<Dim> found = find_checkpoint<Dim>(directory, before);
+  if (found.name != newest_checkpoint && std::filesystem::exists(directory / newest_checkpoint))
+    refuse(directory / newest_checkpoint,
+           "a file that is damaged; the checkpoint before it, at t = " + format_number(found.checkpoint.state.t) +
+               " s, is good",
+           "a good one; without " + std::string(newest_checkpoint) + " the run begins with the one before");
+  const State<Dim>& end = found.checkpoint.state;
   const std::string fault = fault_in_state(before, initial_state<Dim>(before), end);
   if (!fault.empty()) refuse(directory, "a checkpoint with " + fault, "a state of the scene of that run");
   return build_state(scene, &end);

@@ -7,7 +7,8 @@
 namespace geodrop {
 
 /// build_state, with bodies and membranes of the newest checkpoint of the run in `start_from`. Throws SceneError if
-/// there is none, or it is not one of that run's scene.
+/// there is none, if that file is damaged (the one before is another state: it is named, not taken), or it is not one
+/// of that run's scene.
 template <int Dim>
 State<Dim> initial_state(const Scene& scene);
 

@@ -89,3 +89,19 @@ TEST_CASE("What cannot be started from is refused in words") {
   CHECK(other.outcome().err.find("closed in one of the scenes only") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(other.file("")));
 }
+
+TEST_CASE("A damaged newest checkpoint is refused, not replaced by the one before, which is another state") {
+  const SceneRun first(tube, coarse({"time.end=0.04"}), one_thread);
+  REQUIRE(first.outcome().code == 0);
+  const auto newest = first.file("checkpoint.bin"), before = first.file("checkpoint.previous.bin");
+  std::filesystem::copy_file(newest, before, std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::resize_file(newest, std::filesystem::file_size(newest) / 2);
+  const SceneRun next(tube, coarse({from(first)}), one_thread);
+  CAPTURE(next.outcome().err);
+  CHECK(next.outcome().code == 2);
+  CHECK(next.outcome().err.find("the checkpoint before it, at t = 0.04") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(next.file("")));
+  std::filesystem::remove(newest);
+  const SceneRun after(tube, coarse({from(first), "time.end=0.01"}), one_thread);
+  CHECK(after.outcome().code == 0);
+}
