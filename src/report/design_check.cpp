@@ -11,6 +11,10 @@
 namespace geodrop {
 namespace {
 
+std::vector<const char*> axes_of(const Scene& scene) {
+  return scene.dimension == 2 ? std::vector{"x", "y"} : std::vector{"x", "y", "z"};
+}
+
 bool has(const CsvTable& table, const std::string& column) {
   return std::ranges::find(table.names, column) != table.names.end();
 }
@@ -53,7 +57,9 @@ std::vector<PeakTension> peak_tensions(const Scene& scene, const CsvTable& histo
         std::ranges::max_element(tension, {}, [](double value) { return std::isnan(value) ? 0 : value; });
     const auto row = static_cast<std::size_t>(largest - tension.begin());
     const auto at = [&](const std::string& ending) { return history.column(column + ending)[row]; };
-    peaks.push_back({membrane.name, *largest, at("_time_s"), {at("_x_m"), at("_y_m")}, membrane.strength});
+    std::vector<double> place;
+    for (const char* axis : axes_of(scene)) place.push_back(at(std::string("_") + axis + "_m"));
+    peaks.push_back({membrane.name, *largest, at("_time_s"), place, membrane.strength});
   }
   return peaks;
 }
@@ -67,15 +73,31 @@ std::optional<double> safety(const PeakTension& peak, TensionStrength factors) {
 std::vector<RestingPlace> resting_places(const Scene& scene, const CsvTable& history) {
   std::vector<RestingPlace> places;
   for (const MembraneSpec& membrane : scene.membranes) {
-    const std::string& body = membrane.body;
-    if (!membrane.closed || !has(history, body + ".height_m") || !has(history, body + ".rotation_deg")) continue;
+    const std::string body = body_inside(scene, membrane);
+    if ((scene.dimension == 2 && !membrane.closed) || !has(history, body + ".height_m")) continue;
     if (std::ranges::find(places, body, &RestingPlace::body) != places.end()) continue;
     const auto last = [&](const std::string& ending) { return history.column(body + ending).back(); };
-    places.push_back({body, history.column("time_s").back(), last(".position_x_m"), last(".position_y_m"),
-                      std::hypot(last(".velocity_x_m_s"), last(".velocity_y_m_s")), last(".rotation_deg"),
-                      last(".height_m"), last(".width_m"), last(".lowest_m")});
-    if (const std::optional<double> surface = bed_surface(scene, membrane.bed, places.back().x))
-      places.back().burial = *surface - places.back().lowest;
+    RestingPlace place;
+    place.body = body;
+    place.time = history.column("time_s").back();
+    double squares = 0;
+    for (const std::string axis : axes_of(scene)) {
+      place.centre.push_back(last(".position_" + axis + "_m"));
+      squares += std::pow(last(".velocity_" + axis + "_m_s"), 2);
+    }
+    place.speed = std::sqrt(squares);
+    place.height = last(".height_m");
+    place.width = last(".width_m");
+    place.lowest = last(".lowest_m");
+    if (scene.dimension == 2) {
+      place.turn_deg = last(".rotation_deg");
+      if (const std::optional<double> surface = bed_surface(scene, membrane.bed, place.centre[0]))
+        place.burial = *surface - place.lowest;
+    } else {
+      place.turn_deg = std::hypot(last(".rotation_x_deg"), last(".rotation_y_deg"), last(".rotation_z_deg"));
+      place.depth = last(".backmost_m") - last(".frontmost_m");
+    }
+    places.push_back(place);
   }
   return places;
 }

@@ -16,10 +16,10 @@ namespace geodrop {
 /// The largest tension of a membrane in a run (the mean over its gauge and 10 ms).
 struct PeakTension {
   std::string membrane;
-  double tension = 0;             ///< [N/m]
-  double time = 0;                ///< [s]
-  std::array<double, 2> place{};  ///< middle of the gauge [m]
-  double strength = 0;            ///< of the geotextile, short-term [N/m]; 0: the scene gives none
+  double tension = 0;         ///< [N/m]
+  double time = 0;            ///< [s]
+  std::vector<double> place;  ///< middle of the gauge, by axis [m]
+  double strength = 0;        ///< of the geotextile, short-term [N/m]; 0: the scene gives none
 };
 
 /// From the columns NAME.tension_gauge_*; none of membranes whose history lacks them.
@@ -31,11 +31,14 @@ std::optional<double> safety(const PeakTension& peak, TensionStrength factors);
 /// Rest of a body that a closed membrane encloses, from the last row.
 struct RestingPlace {
   std::string body;
-  double time = 0;                                         ///< of the row [s]
-  double x = 0, y = 0, speed = 0;                          ///< of the centre [m], [m/s]
-  double tilt_deg = 0, height = 0, width = 0, lowest = 0;  ///< [degree], [m]
-  /// Depth of the lowest point below the surface that the bed had at the start there; negative: above it [m]. Nothing
-  /// without a bed.
+  double time = 0;             ///< of the row [s]
+  std::vector<double> centre;  ///< by axis [m]
+  double speed = 0;            ///< of the centre [m/s]
+  double turn_deg = 0;         ///< in the plane counterclockwise, full turns counted; in space the angle about its axis
+  double height = 0, width = 0, lowest = 0;  ///< [m]
+  std::optional<double> depth{};             ///< in space: along y [m]
+  /// In the plane: depth of the lowest point below the surface that the bed had at the start there; negative: above it
+  /// [m]. Nothing without a bed.
   std::optional<double> burial{};
 };
 

@@ -112,6 +112,35 @@ std::string place_text(const Source& source, double coordinate) {
   return figure(coordinate, "m", source.scene.grid.upper[0] - source.scene.grid.lower[0]);
 }
 
+/// Where bodies in membranes are at the end; empty if there are none.
+std::string resting_table(const Source& source) {
+  const std::vector<RestingPlace> places = resting_places(source.scene, source.history);
+  if (places.empty()) return "";
+  const bool plane = source.scene.dimension == 2;
+  Lines lines{plane ? std::vector<std::string>{"body", "centre x", "centre y", "lowest point y", "burial", "height",
+                                               "width", "tilt", "speed"}
+                    : std::vector<std::string>{"body", "centre x", "centre y", "centre z", "lowest point z", "height",
+                                               "width along x", "width along y", "turned by", "speed"}};
+  for (const RestingPlace& place : places) {
+    std::vector<std::string> cells{text(place.body)};
+    for (const double coordinate : place.centre) cells.push_back(place_text(source, coordinate));
+    cells.push_back(place_text(source, place.lowest));
+    if (plane) cells.push_back(place.burial ? place_text(source, *place.burial) : "-");
+    cells.insert(cells.end(), {figure(place.height, "m"), figure(place.width, "m")});
+    if (place.depth) cells.push_back(figure(*place.depth, "m"));
+    cells.insert(cells.end(), {figure(place.turn_deg, "degree"), figure(place.speed, "m/s")});
+    lines.push_back(cells);
+  }
+  std::string page = "<p>Place and shape at t = " + figure(places.back().time, "s") + ":</p>\n" +
+                     table(lines, plane ? std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8}
+                                        : std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  if (std::ranges::any_of(places, [](const RestingPlace& place) { return place.burial.has_value(); }))
+    page +=
+        "<p>Burial: depth of the lowest point below the surface that the bed had there at the start; negative: "
+        "above it.</p>\n";
+  return page;
+}
+
 std::string design_check(const Source& source) {
   std::string page;
   Lines lines{{"membrane", "largest tension", "at", "place", "strength", "allowable", "safety"}};
@@ -119,7 +148,9 @@ std::string design_check(const Source& source) {
     TensionStrength factors = source.options.factors;
     factors.strength = peak.strength;
     const std::optional<double> factor = safety(peak, factors);
-    const std::string place = "x = " + place_text(source, peak.place[0]) + ", y = " + place_text(source, peak.place[1]);
+    std::string place;
+    for (std::size_t axis = 0; axis < peak.place.size(); ++axis)
+      place += std::string(axis == 0 ? "" : ", ") + "xyz"[axis] + " = " + place_text(source, peak.place[axis]);
     lines.push_back(
         {text(peak.membrane), figure(peak.tension, "N/m"), figure(peak.time, "s"), place,
          factor ? figure(peak.strength, "N/m") : "not given", factor ? figure(allowable_tension(factors), "N/m") : "-",
@@ -136,24 +167,7 @@ std::string design_check(const Source& source) {
                            : " reduced by " + text(words)) +
             ". Safety: allowable over largest.</p>\n";
   }
-  Lines rest{{"body", "centre x", "centre y", "lowest point y", "burial", "height", "width", "tilt", "speed"}};
-  double time = 0;
-  bool has_bed = false;
-  for (const RestingPlace& place : resting_places(source.scene, source.history)) {
-    time = place.time;
-    has_bed = has_bed || place.burial;
-    rest.push_back({text(place.body), place_text(source, place.x), place_text(source, place.y),
-                    place_text(source, place.lowest), place.burial ? place_text(source, *place.burial) : "-",
-                    figure(place.height, "m"), figure(place.width, "m"), figure(place.tilt_deg, "degree"),
-                    figure(place.speed, "m/s")});
-  }
-  if (rest.size() > 1)
-    page += "<p>Place and shape at t = " + figure(time, "s") + ":</p>\n" + table(rest, {1, 2, 3, 4, 5, 6, 7, 8});
-  if (has_bed)
-    page +=
-        "<p>Burial: depth of the lowest point below the surface that the bed had there at the start; negative: "
-        "above it.</p>\n";
-  return page;
+  return page + resting_table(source);
 }
 
 /// Pictures are drawn beside the report and go into it.

@@ -48,7 +48,7 @@ TEST_CASE("Design check: the largest tension with its own time and place, agains
   REQUIRE(peaks.size() == 1);
   CHECK(peaks[0].tension == 30e3);
   CHECK(peaks[0].time == 0.95);
-  CHECK(peaks[0].place == std::array{0.5, 4.0});
+  CHECK(peaks[0].place == std::vector{0.5, 4.0});
   CHECK(safety(peaks[0], {}).value() == near(4, 1e-12));
   // 120 kN/m * 0.7 / (1.3 * 1.5) = 43.08 kN/m.
   TensionStrength factors{};
@@ -62,10 +62,52 @@ TEST_CASE("Design check: the largest tension with its own time and place, agains
 TEST_CASE("A body in a closed membrane rests where its last row says") {
   const auto places = resting_places(scene_with_bag(0), history);
   REQUIRE(places.size() == 1);
-  CHECK(places[0].x == 2);
-  CHECK(places[0].tilt_deg == 89);
+  CHECK(places[0].centre == std::vector{2.0, 0.5});
+  CHECK(places[0].turn_deg == 89);
   CHECK(places[0].speed == near(5, 1e-12));
   CHECK(places[0].lowest == -0.2);
+}
+
+TEST_CASE("In space a body in a membrane has three coordinates, two widths, and the angle about its own axis") {
+  Scene scene = scene_with_bag(0);
+  scene.dimension = 3;
+  scene.membranes[0].body = "";
+  BodySpec fill;
+  fill.name = "bag";
+  fill.shape = InsideShape{"cloth"};
+  scene.bodies = {fill};
+  const CsvTable last_row{
+      {"time_s",
+       "bag.position_x_m",
+       "bag.position_y_m",
+       "bag.position_z_m",
+       "bag.velocity_x_m_s",
+       "bag.velocity_y_m_s",
+       "bag.velocity_z_m_s",
+       "bag.rotation_x_deg",
+       "bag.rotation_y_deg",
+       "bag.rotation_z_deg",
+       "bag.height_m",
+       "bag.width_m",
+       "bag.lowest_m",
+       "bag.frontmost_m",
+       "bag.backmost_m",
+       "cloth.tension_gauge_N_m",
+       "cloth.tension_gauge_time_s",
+       "cloth.tension_gauge_x_m",
+       "cloth.tension_gauge_y_m",
+       "cloth.tension_gauge_z_m"},
+      {{5}, {1}, {2}, {3}, {1}, {2}, {2}, {30}, {0}, {40}, {0.5}, {4}, {2.75}, {1.5}, {3.5}, {9}, {4}, {7}, {8}, {6}}};
+  const auto places = resting_places(scene, last_row);
+  REQUIRE(places.size() == 1);
+  CHECK(places[0].centre == std::vector{1.0, 2.0, 3.0});
+  CHECK(places[0].speed == near(3, 1e-12));
+  CHECK(places[0].turn_deg == near(50, 1e-12));
+  CHECK(places[0].width == 4);
+  CHECK(places[0].depth.value() == near(2, 1e-12));
+  CHECK(places[0].lowest == 2.75);
+  CHECK_FALSE(places[0].burial.has_value());
+  CHECK(peak_tensions(scene, last_row).at(0).place == std::vector{7.0, 8.0, 6.0});
 }
 
 TEST_CASE("Burial is counted from the surface of the bed at the start, below a trench, of soil in no membrane") {
