@@ -21,7 +21,7 @@ void add_bench_modes(CLI::App& command, BenchArguments& arguments) {
                          "turn on one thread (perf/README.md)");
   auto* instructions =
       command.add_flag("--instructions", arguments.instructions,
-                       "count instructions by valgrind; exit with 1 if a benchmark has over 1 % more than "
+                       "count instructions by valgrind; exit with 1 if a benchmark has over 2 % more than "
                        "perf/instructions.csv says");
   command.add_flag("--update", arguments.options.update, "with --instructions: write that table")->needs(instructions);
   auto* steps = command.add_option("--steps", arguments.options.steps,
