@@ -10,6 +10,7 @@
 
 #include "files/read_frames.hpp"
 #include "support/program.hpp"
+#include "support/python.hpp"
 #include "support/text.hpp"
 
 using namespace geodrop::test;
@@ -68,8 +69,8 @@ TEST_CASE("show_run.py refuses options that do not fit, before it draws anything
   fs::create_directory(directory / "paraview");
   std::ofstream(directory / "paraview/__init__.py") << "simple = None\n";
   const auto refused = [&](const std::string& options) {
-    const std::string said = directory / "said", command = "PYTHONPATH='" + (directory / "").string() + "' python3 '" +
-                                                           script + "' runs/none " + options;
+    const std::string said = directory / "said", command = "PYTHONPATH='" + (directory / "").string() + "' " + python +
+                                                           " '" + script + "' runs/none " + options;
     const int status = std::system((command + " >'" + said + "' 2>&1").c_str());
     CHECK(WEXITSTATUS(status) == 2);
     return geodrop::read_file(said);
