@@ -82,3 +82,25 @@ TEST_CASE("Sand without cohesion rests below the critical gradient; above it ris
   CHECK(std::abs(rise("0.0001782")) < 5e-6);
   CHECK(rise("0.0002178") == near(9.9e-5, 0.3));
 }
+
+TEST_CASE("A bag of saturated sand has the same shape under 10 m and under 100 m of water") {
+  const auto under = [](const std::string& depth) {
+    std::vector<std::string> settings{"grid.spacing=0.2", "grid.upper=[3.0,4.0]",
+                                      "time.end=1.0",     "materials.water.sound_speed=200.0",
+                                      "results=",         "verify=",
+                                      "variants="};
+    for (const char* body : {"water", "pore_water"})
+      settings.push_back("bodies." + std::string(body) + ".initial_stress.surface=" + depth);
+    settings.push_back("bodies.ground.initial_stress.fluid_surface=" + depth);
+    return SceneRun("cases/verification/saturated_bag_rests.toml", settings);
+  };
+  const SceneRun shallow = under("10.0"), deep = under("100.0");
+  REQUIRE(shallow.outcome().code == 0);
+  REQUIRE(deep.outcome().code == 0);
+  const auto end = [](const SceneRun& run, const char* column) { return run.column(column).back(); };
+  CHECK(end(shallow, "sand.height_m") < 0.85);  // it has settled from 0.9 m
+  for (const char* column : {"sand.height_m", "sand.width_m", "geotextile.area_m2"})
+    CHECK(end(deep, column) == near(end(shallow, column), 0.002));
+  const char* pores = "pore_water.mean_pressure_centre_Pa";
+  CHECK(end(deep, pores) - end(shallow, pores) == near(90 * 1000 * 9.81, 0.03));  // 2 % of it: water is compressed
+}
