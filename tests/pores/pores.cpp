@@ -212,11 +212,11 @@ TEST_CASE("Consolidation by hand: c_v, the path of drainage and the time factor"
     const Scene scene = read_scene(column, settings);
     return consolidation(scene, pore_soils(scene)[0]);
   };
-  // k E / gamma_w = 1e-3 1e6 / 9810 m2/s; the bottom is a wall, so are the sides: 1 m; 1.962 s
+  // k E / gamma_w = 2.5e-3 1e6 / 9810 m2/s; the bottom is a wall, so are the sides: 1 m; 1.962 s
   const Consolidation drains = of({});
-  CHECK(drains.coefficient == near(1e3 / 9810, 1e-12));
+  CHECK(drains.coefficient == near(2.5e3 / 9810, 1e-12));
   CHECK(drains.path == near(1, 1e-12));
-  CHECK(drains.time_factor == near(0.2, 1e-12));
+  CHECK(drains.time_factor == near(0.5, 1e-12));
   CHECK(of({"bodies.soil.shape.lower.1=0.5"}).path == near(0.25, 1e-12));
   CHECK(of({"grid.upper.0=0.4"}).path == near(0.2, 1e-12));
   Scene closed = read_scene(column);

@@ -6,6 +6,7 @@
 
 #include "support/near.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop::test;
 
@@ -35,6 +36,18 @@ TEST_CASE("Coupled soil of k = 1 nm/s swings as undrained soil does") {
   for (std::size_t i = 1; i + 1 < times.size(); ++i, ++count)
     square += std::pow(at(other_times, other_heights, times[i]) - heights[i], 2);
   CHECK(std::sqrt(square / count) < 0.01 * swing);
+}
+
+TEST_CASE("The time step of coupled soil does not depend on its conductivity") {
+  const auto time_step = [](const std::string& k) {
+    return line(run_program({"info", geodrop::source_path("cases/verification/terzaghi.toml"), "--set",
+                             "materials.soil.hydraulic_conductivity=" + k})
+                    .out,
+                "time_step_s");
+  };
+  const std::string of_gravel = time_step("1e-2");
+  REQUIRE(contains(of_gravel, "time_step_s"));
+  for (const char* k : {"1e-3", "1e-4", "1e-5", "1e-6"}) CHECK(time_step(k) == of_gravel);
 }
 
 TEST_CASE("Water in the pores cavitates at its suction limit, and nowhere below") {
