@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include "grid/blocks.hpp"
 #include "grid/neighbourhood.hpp"
 #include "grid/seams.hpp"
@@ -122,6 +124,24 @@ void check_checkerboard() {
   }
 }
 
+/// Cells of any width, but for those at walls.
+template <int Dim>
+void check_stripe_on_graded_axes() {
+  Bed<Dim> bed(graded_scene<Dim>(12, 0.25, WallKind::slip));
+  const auto stripe = [&](std::size_t p) { return 300 * alternating(bed, p, 1); };
+  const std::vector<double> change = bed.change(stripe);
+  constexpr int pad = GridLayout<Dim>::pad, at_wall = 3;
+  const int cells = bed.grid.layout.cells[0];
+  std::set<double> widths;
+  for (std::size_t p = 0; p < change.size(); ++p) {
+    const int i = stored_cell(bed.grid.layout, bed.cells[p])[0] - pad;
+    if (i < at_wall || i >= cells - at_wall) continue;
+    widths.insert(bed.width(0, i));
+    CHECK(change[p] == near(-stripe(p) / Dim, 0.2));
+  }
+  CHECK(*widths.rbegin() > 2.5 * *widths.begin());
+}
+
 /// Of random pressures in soil with holes.
 template <int Dim>
 void check_sums() {
@@ -163,6 +183,11 @@ TEST_CASE("A pressure that is linear in space stays, beside walls and on graded 
 TEST_CASE("A checkerboard fades at a tenth of the wave speed over h, a stripe at its share of the axes") {
   check_checkerboard<2>();
   check_checkerboard<3>();
+}
+
+TEST_CASE("A stripe on graded axes fades as fast in fine cells as in coarse ones") {
+  check_stripe_on_graded_axes<2>();
+  check_stripe_on_graded_axes<3>();
 }
 
 TEST_CASE("The filter keeps the sum of the pore pressure and its moment, and takes energy") {
