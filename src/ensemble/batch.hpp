@@ -43,8 +43,8 @@ class Batch {
   /// Makes the directory. Throws SceneError if it holds runs of another design.
   void claim();
   /// Makes the runs: one that is done already is not made again, one that was stopped goes on, one that a process of an
-  /// earlier call still writes is waited for. Writes manifest.csv at the start and end of each. Ctrl-C or SIGTERM stops the runs with a checkpoint. Returns 0, 1 if a run failed, 75 if it was
-  /// stopped.
+  /// earlier call still writes is waited for. Writes manifest.csv at the start and end of each. Ctrl-C or SIGTERM stops
+  /// the runs with a checkpoint. Returns 0, 1 if a run failed, 75 if it was stopped.
   int run();
   /// What is there, without a run.
   void look();
