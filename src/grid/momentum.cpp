@@ -130,7 +130,23 @@ using LeftOver = std::vector<std::pair<int, Vec4>>;
 struct MomentumStep {
   Vec4 gravity;  ///< dt g [m/s]
   double dt;
+  Weight weight;
 };
+
+/// Whether particles fill all cells in reach of a node, without rigid bodies, sharp interfaces and surface.
+template <int Dim>
+bool filled_around(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node) {
+  constexpr int pad = GridLayout<Dim>::pad;
+  bool filled = true;
+  for_neighbourhood(grid.layout, flat, [&](int cell, const std::array<int, Dim>& a) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      const int c = node[axis] + a[axis] - 1;
+      if (!grid.layout.periodic(axis) && (c < pad || c > pad + grid.layout.cells[axis])) return;  // behind a wall
+    }
+    filled = filled && (grid.cell_flags[cell] & cell_filled) && (grid.taken.empty() || grid.taken[cell] == 0);
+  });
+  return filled;
+}
 
 /// Velocity of one node from its sums and `impulse` [N s], the cell pressure's and, if separate, the stresses'.
 template <int Dim>
@@ -177,8 +193,12 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
     for (int a = 0; a < Dim; ++a) impulse[a] = force[a][k];
     if (pores) impulse *= grid.pore_share[begin + k];
     if (separate) impulse += grid.force[begin + k];
-    update_node<Dim>(grid, begin + k, node, step.dt * impulse, step, left_over);
-    grid.velocity[begin + k][3] = fill_ratio<Dim>(grid, begin + k, node);
+    const double fill = fill_ratio<Dim>(grid, begin + k, node);
+    MomentumStep here = step;
+    // The force of cell pressures knows the volume only, so the weight of that is what it balances.
+    if (step.weight == Weight::cell && fill > 0 && filled_around<Dim>(grid, begin + k, node)) here.gravity /= fill;
+    update_node<Dim>(grid, begin + k, node, step.dt * impulse, here, left_over);
+    grid.velocity[begin + k][3] = fill;
   }
 }
 
@@ -246,8 +266,8 @@ void impose_wall_velocity(Grid<Dim>& grid) {
 }
 
 template <int Dim>
-void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt) {
-  MomentumStep step{{}, dt};
+void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt, Weight weight) {
+  MomentumStep step{{}, dt, weight};
   for (int a = 0; a < Dim; ++a) step.gravity[a] = dt * gravity[a];
   const auto blocks = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
   std::vector<LeftOver> left_over(blocks);
@@ -269,7 +289,7 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
   template std::array<bool, D> held_by_walls<D>(const GridLayout<D>&, int);          \
   template void impose_wall_velocity<D>(Grid<D>&);                                   \
   template void fold_walls<D>(Grid<D>&);                                             \
-  template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double);
+  template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double, Weight);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
+#include <geodrop/scene/numerics.hpp>
 #include <geodrop/state/state.hpp>
 
 namespace geodrop {
@@ -25,9 +26,11 @@ void fold_walls(Grid<Dim>& grid);
 /// images in the ghost layer. Nodes with less mass than Grid::light_mass take only the part m / light_mass of their
 /// impulse (with TPIC, where stresses joined the momentum: of the cell pressure's impulse) and hand the rest, as one
 /// rigid velocity increment, to the nodes of their neighbourhood: momentum is kept to round-off (flux redistribution,
-/// Chern & Colella 1987).
+/// Chern & Colella 1987). With Weight::cell g is divided by the fill ratio where all cells in reach of a node are
+/// filled: the weight is that of their volume.
 template <int Dim>
-void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt);
+void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt,
+                     Weight weight = Weight::particle);
 
 /// Components of the velocity of a node that walls hold; of domains without periodic seams.
 template <int Dim>

@@ -1,5 +1,7 @@
 #include "rows.hpp"
 
+#include <geodrop/scene/velocity_fields.hpp>
+
 #include "scene/needs.hpp"
 
 #include <algorithm>
@@ -34,6 +36,19 @@ Row<Dim> fold_walls_row(const Scene&) {
           each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) { fold_walls(g); })};
 }
 
+namespace {
+
+/// By velocity field; coupled soil, whose pressure is that of its pore water, has the weight of its particles.
+std::vector<Weight> weights_of_fields(const Scene& scene) {
+  const std::vector<int> fields = velocity_fields(scene);
+  std::vector<Weight> weights(count_velocity_fields(scene), scene.solver.weight);
+  for (std::size_t b = 0; b < fields.size(); ++b)
+    if (scene.bodies[b].pressure != PressureSupport::cell) weights[fields[b]] = Weight::particle;
+  return weights;
+}
+
+}  // namespace
+
 template <int Dim>
 Row<Dim> momentum_row(const Scene& scene) {
   std::array<double, Dim> gravity;
@@ -42,10 +57,11 @@ Row<Dim> momentum_row(const Scene& scene) {
           Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_flags | Data::cell_pressure |
               Data::rigid_share | Data::pore_space,
           Data::cell_pressure | Data::volume_rate | Data::nodal_velocity | Data::velocity_change, true,
-          each_field<Dim>([gravity](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
-            if (g.largest_modulus > 0 && g.pore_share.empty()) soften_light_cells(g, step.dt);
-            update_momentum<Dim>(g, gravity, step.dt);
-          })};
+          each_field<Dim>(
+              [gravity, weights = weights_of_fields(scene)](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
+                if (g.largest_modulus > 0 && g.pore_share.empty()) soften_light_cells(g, step.dt);
+                update_momentum<Dim>(g, gravity, step.dt, weights[g.field]);
+              })};
 }
 
 template <int Dim>

@@ -180,3 +180,35 @@ TEST_CASE("On graded axes a node is light by what its own spline holds") {
   update_momentum<2>(grid, {0, 0}, dt);
   CHECK(grid.velocity[node][0] == near(dt / own, 0.0015));
 }
+
+TEST_CASE("Weight by cells: the volume of filled cells is weighed, not the particles; elsewhere the particles are") {
+  constexpr double g = -10;
+  Grid<2> grid = make_grid<2>(box_scene<2>(10, 0.5, WallKind::slip, Transfer::blend));
+  activate_all_blocks(grid);
+  constexpr int surface = 7;  // the first row of cells without particles
+  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
+    const double crowd = (i[0] + i[1]) % 2 == 0 ? 1.2 : 0.9;
+    const double volume = crowd * node_measure<2>(grid, stored_cell(grid.layout, flat));
+    grid.sum[flat][2] = volume;
+    grid.sum[flat][3] = 1000 * volume;
+    grid.cell_volume[flat] = i[1] < surface ? 0.25 : 0.0;
+    grid.cell_flags[flat] = i[1] < surface ? cell_filled : 0;
+  });
+  const auto check = [&](Weight weight, auto&& expected) {
+    update_momentum<2>(grid, {0, g}, dt, weight);
+    for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
+      if (i[1] == 0 || i[1] == 10) return;  // held by a wall
+      const double crowd = (i[0] + i[1]) % 2 == 0 ? 1.2 : 0.9;
+      CHECK(grid.velocity[flat][1] == near(expected(i, crowd) * dt * g, 1e-12));
+    });
+  };
+  check(Weight::particle, [](const auto&, double) { return 1.0; });
+  // The cells in reach of a node are those of its own number and of one below and above.
+  const auto by_cells = [](const auto& i, double crowd) { return i[1] < surface - 1 ? 1 / crowd : 1.0; };
+  check(Weight::cell, by_cells);
+  grid.taken.assign(grid.cell_volume.size(), 0.0);  // part of a cell is across a sharp interface
+  grid.taken[grid.layout.index({5 + GridLayout<2>::pad, 3 + GridLayout<2>::pad})] = 0.1;
+  check(Weight::cell, [&](const auto& i, double crowd) {
+    return std::abs(i[0] - 5) <= 1 && std::abs(i[1] - 3) <= 1 ? 1.0 : by_cells(i, crowd);
+  });
+}

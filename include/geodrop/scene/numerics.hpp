@@ -13,6 +13,8 @@ enum class Basis { bspline2, gimp, linear, tri3, tet4 };
 inline bool is_simplex(Basis basis) { return basis == Basis::tri3 || basis == Basis::tet4; }
 enum class WallKind { slip, no_slip, periodic };
 enum class Transfer { tpic, blend, musl };
+/// What gravity pulls at where fluid fills all cells around a node: the particles there, or the volume of the cells.
+enum class Weight { particle, cell };
 /// consistent: two terms of the series for the inverse, see grid/mass_correction.
 enum class MassMatrix { lumped, consistent };
 
@@ -41,6 +43,7 @@ struct SolverSpec {
   double courant = 0.5;     ///< C of dt = C h / (c_eff + |v|max)
   double damping_rate = 0;  ///< mass-proportional damping of particle velocity [1/s]
   MassMatrix mass_matrix = MassMatrix::lumped;
+  Weight weight = Weight::particle;
   bool even_out_volumes = false;  ///< of the fluids' particles in a cell, see step/step; always beside sharp membranes
   bool operator==(const SolverSpec&) const = default;
 };

@@ -95,6 +95,14 @@ void check_suction(const Scene& scene, const BodySpec& soil, const BodySpec& wat
              "the largest suction: 1e5 Pa under the atmosphere (absolute zero), or inf: the water never cavitates");
 }
 
+/// Weight by cells is for pressure by cells; the weight of coupled soil stays with its particles.
+void check_weight(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
+  if (scene.solver.weight != Weight::cell || body.pressure == PressureSupport::cell || !body.saturated_by.empty())
+    return;
+  report.add(key + ".pressure", "another pressure than that of cells, with weight = \"cell\" in [solver]",
+             "\"cell\", or weight = \"particle\"");
+}
+
 /// A coupled soil has a body of water in its pores, and nothing else has.
 void check_pores(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
@@ -223,6 +231,7 @@ void check_bodies(const Scene& scene, Report& report) {
     check_minus(scene, scene.bodies[i], key, report);
     check_shift(scene, scene.bodies[i], key, report);
     check_pores(scene, scene.bodies[i], key, report);
+    check_weight(scene, scene.bodies[i], key, report);
     check_pressure(scene, scene.bodies[i], key, report);
     check_velocity(scene, scene.bodies[i], key + ".initial_velocity", report);
     if (report.healthy(key) && report.healthy("materials") && report.healthy("membranes"))
