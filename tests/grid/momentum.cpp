@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "grid/neighbourhood.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 
