@@ -43,7 +43,7 @@ constexpr std::pair<const char*, const char*> examples[] = {
      "geodrop report runs/dump_kekerdom --seam-efficiency 0.7 --reduction-installation 1.3\n"
      "geodrop report runs/dump_kekerdom --pdf"},
     {"compare", "geodrop compare runs/coarse runs/fine"},
-    {"new", "geodrop new my_scene\ngeodrop new my_scene --from geotube_556"},
+    {"new", "geodrop new my_scene\ngeodrop new my_scene --from geotube_556\ngeodrop new --list"},
     {"manual",
      "geodrop manual | man -l -\ngeodrop manual --completion >~/.local/share/bash-completion/completions/geodrop"},
     {"schema", "geodrop schema >geodrop.schema.json"},

@@ -10,7 +10,9 @@
 #include "base/atomic_file.hpp"
 #include "base/nearest_name.hpp"
 #include "base/shell_command.hpp"
+#include "base/text.hpp"
 #include "option_errors.hpp"
+#include "reader/parse_scene.hpp"
 #include "scene_file.hpp"
 
 namespace geodrop {
@@ -156,17 +158,33 @@ std::string text_of_case(const std::string& from) {
   const std::string nearest = nearest_name(from, names);
   new_scene_errors.refuse(
       "--from", '"' + from + '"',
-      "a scene file, or the name of a case" + (nearest.empty() ? "" : "; the nearest is \"" + nearest + '"'));
+      "a scene file, or the name of a case" +
+          (nearest.empty() ? "; geodrop new --list tells them" : "; the nearest is \"" + nearest + '"'));
+}
+
+/// Names and titles, those of cases/ before those of the folders in it.
+std::string list_of_cases() {
+  std::vector<std::vector<std::string>> first, below;
+  for (const fs::path& file : shipped_cases()) {
+    const bool is_first = file.parent_path().filename() == "cases";
+    const std::string title = parse_scene(file.string()).table["title"].value_or<std::string>("");
+    (is_first ? first : below).push_back({file.stem().string(), title});
+  }
+  return "Cases to begin with:\n" + format_table(first, "ll") + "\nCases with a reference (geodrop verify):\n" +
+         format_table(below, "ll");
 }
 
 }  // namespace
 
 void add_new_scene_options(CLI::App& command, NewSceneArguments& arguments) {
-  command.add_option("name", arguments.name, "of the scene; the file is NAME.toml")->required();
+  command.add_option("name", arguments.name, "of the scene; the file is NAME.toml");
   command.add_option("--from", arguments.from, "a case (cases/*.toml) by its name, or a file, to begin with");
+  command.add_flag("--list", arguments.list, "print the names of the cases, with their titles");
 }
 
 int run_new_scene(const NewSceneArguments& arguments) {
+  if (arguments.list) return std::cout << list_of_cases(), 0;
+  if (arguments.name.empty()) throw CLI::RequiredError("name");
   fs::path file = arguments.name;
   if (file.extension() != ".toml") file += ".toml";
   if (fs::exists(file)) new_scene_errors.refuse("name", file.string() + ", which is there already", "a new name");

@@ -73,10 +73,49 @@ std::optional<std::string> single_list(const std::string& line) {
   return std::nullopt;
 }
 
-/// Makes the lines such that the next parse gets further; false if it is not known how. Adds to `allowed` and `lost`.
-bool mend(std::vector<std::string>& lines, std::size_t number, std::string& allowed, std::vector<std::string>& lost) {
+/// "[[bodies]]" of the line "[[bodies]", "[grid]" of "[grid"; nothing if its brackets are closed.
+std::optional<std::string> closed_header(const std::string& line) {
+  static const std::regex pattern(R"(^\s*(\[\[?)\s*([A-Za-z_][A-Za-z0-9_.]*)\s*(\]?)\s*(#.*)?$)");
+  std::smatch found;
+  if (line.size() > longest_line || !std::regex_match(line, found, pattern)) return std::nullopt;
+  if (found[1].length() == found[3].length()) return std::nullopt;
+  return found[1].str() + found[2].str() + std::string(static_cast<std::size_t>(found[1].length()), ']');
+}
+
+/// Whether toml++ met the end of the line within quotes: it tells of a control character where the line has none.
+bool ends_within_quotes(const std::string& line, const SceneProblem& slip) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\r'; };
+  return slip.found.find("control characters") != std::string::npos && std::ranges::none_of(line, is_control);
+}
+
+/// The key of a line whose value is nothing but the text that is not closed.
+std::optional<std::string> key_of_open_text(const std::string& line) {
+  static const std::regex pattern(R"(^\s*([A-Za-z_][A-Za-z0-9_]*)\s*=\s*("[^"]*|'[^']*)$)");
+  std::smatch found;
+  if (line.size() > longest_line || !std::regex_match(line, found, pattern)) return std::nullopt;
+  return found[1];
+}
+
+/// Makes the lines such that the next parse gets further; false if it is not known how. Says in the slip what is
+/// allowed, and adds to `lost`.
+bool mend(std::vector<std::string>& lines, SceneProblem& slip, std::vector<std::string>& lost) {
+  const auto number = static_cast<std::size_t>(slip.at.line);
   if (number == 0 || number > lines.size()) return false;
   std::string& line = lines[number - 1];
+  std::string& allowed = slip.allowed;
+  if (ends_within_quotes(line, slip)) {
+    slip.found = "a quote that is not closed in its line";
+    allowed = "a closing quote behind the text";
+    const std::optional<std::string> open = key_of_open_text(line);
+    if (!open) return false;
+    lost.push_back(*open);
+    line.clear();
+    return true;
+  }
+  if (const auto header = closed_header(line)) {
+    line = allowed = *header;
+    return true;
+  }
   if (const auto list = single_list(line)) {
     allowed = "[[" + *list + "]] above each of several";
     for (std::string& other : lines)
@@ -131,11 +170,8 @@ ParsedScene parse_scene(const std::string& path) {
       parsed.table = toml::parse(joined(lines), std::string_view(path));
       return parsed;
     } catch (const toml::parse_error& error) {
-      const SourceRef at = to_ref(error.source());
-      std::string allowed = any_toml;
-      const bool mended = mend(lines, static_cast<std::size_t>(at.line), allowed, parsed.lost);
-      parsed.slips.push_back({at, "syntax", std::string(error.description()), allowed});
-      if (!mended) break;
+      parsed.slips.push_back({to_ref(error.source()), "syntax", std::string(error.description()), any_toml});
+      if (!mend(lines, parsed.slips.back(), parsed.lost)) break;
     }
   }
   throw SceneError(path, parsed.slips);

@@ -65,6 +65,7 @@ Reading read_values(const std::string& path, const std::vector<std::string>& ove
   rename_former_words(written, reading.report);
   apply_overrides(written, overrides, reading.report);
   rename_former_words(written, reading.report);  // in the values of overrides
+  if (written.empty()) reading.report.add("", "a scene without keys", "a scene, such as `geodrop new NAME` writes");
   reading.complete = complete_scene(written, reading.scene, reading.report);
   return reading;
 }

@@ -149,6 +149,9 @@ TEST_CASE("A new scene passes check without a doubt, and is not written twice") 
   CHECK(geodrop::read_file(directory / "tube.toml") ==
         geodrop::read_file(geodrop::source_path("cases/geotube_556.toml")));
   CHECK(contains(refused({"new", directory / "other", "--from", "geotub_556"}), "the nearest is \"geotube_556\""));
+  const std::string listed = run_program({"new", "--list"}).out;
+  CHECK(std::regex_search(listed, std::regex("\ngeotube_556 +[A-Z].*\n")));  // with its title
+  CHECK(listed.find("\nelastic_bar ") < listed.find("\nbreathing_tube "));   // cases/ before the folders in it
 }
 
 TEST_CASE("The schema knows the keys, their words and units") {
