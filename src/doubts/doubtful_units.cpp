@@ -42,7 +42,7 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
   const std::string at = "materials." + material.name + ".";
   std::vector<std::string> found;
   const auto soil_modulus = [&](double E) {
-    found.push_back(look(at + "youngs_modulus", E, "Pa", {{0, 5e3, "MPa", 1e6}, {5e3, 1e5, "kPa", kilo}}));
+    found.push_back(look(at + "youngs_modulus", E, "Pa", {{0, 500, "MPa", 1e6}, {500, 1e5, "kPa", kilo}}));
     constexpr double stiffest_soil = 2e9;
     if (E > stiffest_soil)
       found.push_back(at + "youngs_modulus = " + format_number(E, unit_digits) +
