@@ -2,6 +2,7 @@
 #include "fall.hpp"
 
 #include "base/text.hpp"
+#include "doubts/doubts.hpp"
 #include "fall_report.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
@@ -84,6 +85,8 @@ void add_fall_options(CLI::App& command, FallArguments& a) {
 }
 
 int run_fall(const FallArguments& arguments) {
+  tell_doubts({doubt_density("--density", arguments.density), doubt_density("--water-density", arguments.water_density),
+               doubt_stiffness("--stiffness", arguments.stiffness.value_or(0))});
   const FallCase given = read_case(arguments);
   if (!arguments.output.empty()) check_fall_directory(arguments.output);
   const FallReport report = fall_errors.with_option_names([&] { return make_fall_report(given); });

@@ -134,14 +134,15 @@ void add_geotube_options(CLI::App& command, GeotubeArguments& a) {
 }
 
 int run_geotube(const GeotubeArguments& arguments) {
+  tell_doubts({doubt_unit_weight("--unit-weight", arguments.unit_weight),
+               doubt_unit_weight("--water-unit-weight", arguments.water_unit_weight.value_or(0)),
+               doubt_stiffness("--stiffness", arguments.stiffness.value_or(0)),
+               doubt_strength("--strength", arguments.strength.value_or(0))});
   const std::vector<GeotubeInput> inputs = read_inputs(arguments);
   const std::optional<TensionStrength> strength = read_strength(arguments);
   if (!arguments.output.empty()) check_geotube_directory(arguments.output);
   const GeotubeReport report{inputs.front(), solve(inputs), strength,
                              arguments.table.empty() ? ReportLayout::one_tube : ReportLayout::table};
-  for (const std::string& doubt : {doubt_unit_weight("--unit-weight", arguments.unit_weight),
-                                   doubt_unit_weight("--water-unit-weight", arguments.water_unit_weight.value_or(0))})
-    if (!doubt.empty()) std::cerr << "geodrop: warning: " << doubt << '\n';
   std::cout << report_text(report);
   if (!arguments.output.empty()) write_geotube_files(arguments.output, report, arguments.segments);
   return 0;

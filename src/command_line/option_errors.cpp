@@ -1,8 +1,14 @@
 #include "option_errors.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 namespace geodrop {
+
+void tell_doubts(const std::vector<std::string>& doubts) {
+  for (const std::string& doubt : doubts)
+    if (!doubt.empty()) std::cerr << "geodrop: warning: " << doubt << '\n';
+}
 
 void OptionErrors::refuse(const std::string& option, const std::string& found, const std::string& allowed) const {
   throw SceneError(command, {{{}, option, found, allowed, ProblemSource::elsewhere}});

@@ -16,6 +16,9 @@ struct Option {
   const std::optional<double>& value;
 };
 
+/// Prints those that are not empty as warnings.
+void tell_doubts(const std::vector<std::string>& doubts);
+
 struct OptionErrors {
   const char* command;  ///< "geodrop release"
 

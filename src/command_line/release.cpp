@@ -2,6 +2,7 @@
 #include "release.hpp"
 
 #include "base/text.hpp"
+#include "doubts/doubts.hpp"
 #include "only_if.hpp"
 #include "option_errors.hpp"
 #include "release_report.hpp"
@@ -108,6 +109,8 @@ void add_release_options(CLI::App& command, ReleaseArguments& a) {
 }
 
 int run_release(const ReleaseArguments& arguments) {
+  tell_doubts({doubt_density("--density", arguments.density), doubt_density("--water-density", arguments.water_density),
+               doubt_strength("--strength", arguments.strength.value_or(0))});
   const ReleaseCase given = read_case(arguments);
   if (!arguments.output.empty()) check_release_directory(arguments.output);
   const ReleaseReport report = release_errors.with_option_names([&] { return make_release_report(given); });

@@ -38,6 +38,12 @@ std::string density(const std::string& key, double value) {
               {{0, 4, "t/m3", kilo}, {4, 40, "kN/m3", kilo / gravity}, {4000, 4e4, "N/m3", 1 / gravity}});
 }
 
+std::string stiffness(const std::string& key, double value) {
+  return look(key, value, "N/m", {{0, 1e4, "kN/m", kilo}});
+}
+
+std::string strength(const std::string& key, double value) { return look(key, value, "N/m", {{0, 2e3, "kN/m", kilo}}); }
+
 std::vector<std::string> material_doubts(const MaterialSpec& material) {
   const std::string at = "materials." + material.name + ".";
   std::vector<std::string> found;
@@ -71,8 +77,7 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
 std::vector<std::string> membrane_doubts(const MembraneSpec& membrane) {
   const std::string at = "membranes." + membrane.name + ".";
   std::vector<std::string> found{
-      look(at + "axial_stiffness", membrane.axial_stiffness, "N/m", {{0, 1e4, "kN/m", kilo}}),
-      look(at + "strength", membrane.strength, "N/m", {{0, 2e3, "kN/m", kilo}}),
+      stiffness(at + "axial_stiffness", membrane.axial_stiffness), strength(at + "strength", membrane.strength),
       look(at + "mass_per_area", membrane.mass_per_area, "kg/m2", {{30, 1e5, "g/m2", 1 / kilo}})};
   constexpr double most_slack = 0.2;
   if (membrane.slack > most_slack || membrane.slack < -most_slack)
@@ -85,6 +90,8 @@ std::vector<std::string> membrane_doubts(const MembraneSpec& membrane) {
 }  // namespace
 
 std::string doubt_density(const std::string& name, double value) { return density(name, value); }
+std::string doubt_stiffness(const std::string& name, double value) { return stiffness(name, value); }
+std::string doubt_strength(const std::string& name, double value) { return strength(name, value); }
 
 std::string doubt_unit_weight(const std::string& name, double value) {
   return look(name, value, "N/m3",

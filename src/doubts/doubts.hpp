@@ -13,9 +13,11 @@ namespace geodrop {
 /// gravity, which are often without dimension.
 std::vector<std::string> doubts(const Scene& scene);
 
-/// Of a calculator's option: a unit weight [N/m3] or density [kg/m3] of soil or water that looks like one in kN/m3 or
-/// t/m3. Empty if it does not.
+/// Of a calculator's option: a unit weight [N/m3] or density [kg/m3] of soil or water, a stiffness or strength [N/m] of
+/// a geotextile that looks like one in kN/m3, t/m3 or kN/m. Empty if it does not.
 std::string doubt_unit_weight(const std::string& name, double value);
 std::string doubt_density(const std::string& name, double value);
+std::string doubt_stiffness(const std::string& name, double value);
+std::string doubt_strength(const std::string& name, double value);
 
 }  // namespace geodrop
