@@ -120,13 +120,13 @@ double output_bytes(const Scene& scene) {
 
 std::vector<std::string> doubtful_output(const Scene& scene) {
   std::vector<std::string> found;
-  constexpr double most_bytes = 20e9, giga = 1e9, most_rows = 1e6;
+  constexpr double most_bytes = 20e9, mega = 1e6, most_rows = 1e6;
   const double bytes = output_bytes(scene);
   const double frames = scene.time.end / scene.output.frame_interval;
   if (bytes > most_bytes)
-    found.push_back("output.frame_interval = " + number(scene.output.frame_interval) + " s: " + number(frames) +
-                    " frames of about " + number(bytes / giga) +
-                    " GB, or as many as there are steps if those are fewer; take a longer interval" +
+    found.push_back("output.frame_interval = " + number(scene.output.frame_interval) + " s asks for " + number(frames) +
+                    " frames of about " + number(bytes / (frames + 1) / mega) +
+                    " MB each; a run writes at most one in a step; take a longer interval" +
                     (scene.output.compress ? "" : ", or output.compress = true"));
   if (scene.output.frame_interval > scene.time.end)
     found.push_back("output.frame_interval is longer than the run: frames of its start and its end only");
