@@ -3,12 +3,12 @@
 #include <geodrop/base/input_file.hpp>
 
 #include <algorithm>
-#include <sstream>
 
 #include "base/figures.hpp"
 #include "base/text.hpp"
 #include "html.hpp"
 #include "keys/plain_values.hpp"
+#include "keys/to_text.hpp"
 #include "reader/key_table.hpp"
 
 namespace geodrop {
@@ -18,15 +18,14 @@ toml::table parse(const std::filesystem::path& scene) {
   return toml::parse(read_input(scene, "", "the scene of a run"), std::string_view(scene.c_str()));
 }
 
-std::string toml_text(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>)
-      text << value;
-    else
-      text << toml::toml_formatter(value);
-  });
-  return text.str();
+/// As to_text, but texts without quotes.
+std::string plain_text(const toml::node& node) {
+  if (const auto* word = node.as_string()) return word->get();
+  const toml::array* list = node.as_array();
+  if (!list) return to_text(node);
+  std::string text;
+  for (const toml::node& element : *list) text += (text.empty() ? "" : ", ") + plain_text(element);
+  return "[" + text + "]";
 }
 
 std::string name_of(const toml::node& node, std::size_t index) {
@@ -49,7 +48,7 @@ void flatten(const toml::node& node, const std::string& path, std::vector<std::p
     for (std::size_t i = 0; i < elements.size(); ++i)
       flatten(elements[i], join_path(path, name_of(elements[i], i)), list);
   } else {
-    list.emplace_back(path, toml_text(node));
+    list.emplace_back(path, plain_text(node));
   }
 }
 
@@ -57,8 +56,8 @@ void flatten(const toml::node& node, const std::string& path, std::vector<std::p
 std::string value_cell(const toml::node& node, std::string_view unit) {
   constexpr int digits = 6;
   if (!node.is_number()) {
-    const std::string text = node.is_string() ? *node.value<std::string>() : toml_text(node);
-    return html::text(text + (unit.empty() || unit == "-" ? "" : " " + std::string(unit)));
+    const bool has_unit = !unit.empty() && unit != "-" && !(node.is_array() && node.as_array()->empty());
+    return html::text(plain_text(node) + (has_unit ? " " + std::string(unit) : ""));
   }
   const double value = to_number(node);
   const Scaled scaled = scaled_unit(std::string(unit), value);

@@ -145,15 +145,32 @@ TEST_CASE("report writes one page with all in it; compare tells what differs") {
   const SceneRun run("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5", "time.end=0.2"});
   REQUIRE(run.outcome().code == 0);
   const std::string directory = run.file("").string();
+TEST_CASE(
+    "Values of a scene: lists without blanks, no unit behind an empty one; shortest numbers, texts without quotes") {
+  const TemporaryDirectory directory;
+  const std::string scene = directory / "scene.toml";
+  std::ofstream(scene) << "gravity = [0.1, -9.81]\n[grid]\nlower = [-3.0, -1.0]\n"
+                          "[[membranes]]\nname = \"cloth\"\nbody = \"bag\"\npoints = []\n";
+  const std::string html = scene_values_html(scene);
+  CHECK(contains(html, ">[-3, -1] m<"));
+  CHECK(contains(html, ">[]<"));
+  using Entry = std::pair<std::string, std::string>;
+  CHECK(flat_scene(scene) == std::vector<Entry>{{"gravity", "[0.1, -9.81]"},
+                                                {"grid.lower", "[-3, -1]"},
+                                                {"membranes.cloth.body", "bag"},
+                                                {"membranes.cloth.name", "cloth"},
+                                                {"membranes.cloth.points", "[]"}});
+}
+
   const Outcome report = run_program({"report", directory, "--seam-efficiency", "0.5"});
   CAPTURE(report.err);
   REQUIRE(report.code == 0);
   const std::string page = read_file(run.file("report.html"));
-  for (const char* part :
-       {"<h1>", "Key figures", "Beside what was expected", "Design check", "seam efficiency 0.5", "Histories",
-        "Pictures", "data:image/png;base64,", "data:image/svg+xml;base64,", "material water", "1000 kg/m3",
-        "Balance of mass and energy", "geodrop run", "Remarks of the scene", "burial",
-        "end: vertical stress, tension positive", "the surface that the bed had"})
+  for (const char* part : {"<h1>", "Key figures", "Beside what was expected", "Design check", "seam efficiency 0.5",
+                           "Histories", "Pictures", "data:image/png;base64,", "data:image/svg+xml;base64,",
+                           "material water", "1000 kg/m3", "Balance of mass and energy", "geodrop run",
+                           "Remarks of the scene", "burial", "end: vertical stress, tension positive",
+                           "the surface that the bed had", ">[-16, -2] m<"})
     CHECK_MESSAGE(contains(page, part), part);
   CHECK_FALSE(contains(page, "src=\"http"));
   std::size_t drawings = 0;
@@ -174,7 +191,8 @@ TEST_CASE("report writes one page with all in it; compare tells what differs") {
   const SceneRun other("cases/dump_kekerdom_mixture.toml", {"grid.spacing=0.5", "time.end=0.1"});
   const Outcome compared = run_program({"compare", directory, other.file("").string()});
   CHECK(compared.code == 0);
-  CHECK(contains(compared.out, "time.end"));
+  CHECK(contains(compared.out, "time.end  "));
+  CHECK(contains(compared.out, "  0.2  "));  // not 0.20000000000000001
   CHECK_FALSE(contains(compared.out, "grid.spacing"));
   CHECK(contains(compared.out, "of the first"));
   CHECK(run_program({"compare", directory, "/nowhere"}).code == 2);
