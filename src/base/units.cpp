@@ -32,6 +32,8 @@ std::string unit_of_name(const std::string& name) {
   return found ? std::string(found->unit) : std::string();
 }
 
+std::string shown_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
+
 std::string unit_ending(const std::string& name) {
   const Ending* const found = find_ending(name);
   return found ? std::string(found->ending) : std::string();

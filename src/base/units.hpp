@@ -9,6 +9,9 @@ namespace geodrop {
 /// "1" for `pressure_ratio`; empty if the name ends in no known unit.
 std::string unit_of_name(const std::string& name);
 
+/// As people read it: none for "1".
+std::string shown_unit(const std::string& unit);
+
 /// The ending of a name that is its unit, "_m_s" of `fall_velocity_max_m_s`; empty if the name ends in no known unit.
 std::string unit_ending(const std::string& name);
 

@@ -17,13 +17,6 @@ std::string describe_run(const Scene& scene, const RunOptions& options) {
          std::to_string(std::thread::hardware_concurrency()) + " threads, scene " + scene.file;
 }
 
-namespace {
-
-/// A number of things has none.
-std::string shown_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
-
-}  // namespace
-
 std::string facts_text(const std::vector<Fact>& facts) {
   std::vector<std::vector<std::string>> lines;
   for (const Fact& fact : facts)

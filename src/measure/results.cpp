@@ -85,7 +85,7 @@ std::vector<std::string> expectation_cells(const Expectation& expectation) {
   const Result& result = expectation.result;
   return {result.name,
           short_number(result.value),
-          result.unit,
+          shown_unit(result.unit),
           short_number(expectation.expected),
           "+-" + short_number(expectation.tolerance),
           verdict(expectation),
@@ -147,7 +147,7 @@ std::string results_table(const std::vector<Result>& results, const std::vector<
   for (const Result& result : results) {
     const bool shown = std::any_of(expectations.begin(), expectations.end(),
                                    [&](const Expectation& e) { return e.result.name == result.name; });
-    if (!shown) lines.push_back({result.name, short_number(result.value), result.unit});
+    if (!shown) lines.push_back({result.name, short_number(result.value), shown_unit(result.unit)});
   }
   return format_table(lines, "lrlrrll");
 }

@@ -178,6 +178,11 @@ TEST_CASE("expectations are met up to their tolerance") {
         "result   value  unit  expected  tolerance  met  source\n"
         "value_m      3  m          2.5      +-0.5  yes  by hand\n"
         "value_m      3  m          2.4      +-0.5  NO   by hand\n");
+  const Result share{"kinetic_ratio", 0.25, "1"};
+  CHECK(results_table({share, {"shape_r_squared", 0.5, "1"}}, {{share, 0.25, 0.125, "by hand", true}}) ==
+        "result           value  unit  expected  tolerance  met  source\n"
+        "kinetic_ratio     0.25            0.25    +-0.125  yes  by hand\n"
+        "shape_r_squared    0.5\n");
 }
 
 TEST_CASE("a result that is no number meets nothing") {
