@@ -7,6 +7,7 @@
 
 #include <omp.h>
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -24,6 +25,10 @@
 namespace geodrop {
 namespace {
 
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : several);
+}
+
 void print_notes(const Scene& scene) {
   for (const std::string& doubt : doubts(scene)) std::cout << "warning: " << doubt << '\n';
   for (const std::string& note : scene_notes(scene)) std::cout << "note: " << note << '\n';
@@ -40,12 +45,20 @@ Json json_of(const std::vector<SceneProblem>& problems) {
   return items;
 }
 
+/// A number of things, rounded.
+Json whole(double count) { return std::isfinite(count) ? Json(std::llround(count)) : Json(); }
+
 Json json_of(const Effort& effort) {
-  return {{"particles", effort.particles},
-          {"steps", effort.steps},
+  return {{"particles", whole(effort.particles)},
+          {"steps", whole(effort.steps)},
           {"wall_s", effort.seconds},
-          {"memory_bytes", effort.memory_bytes},
-          {"output_bytes", effort.output_bytes}};
+          {"memory_bytes", whole(effort.memory_bytes)},
+          {"output_bytes", whole(effort.output_bytes)}};
+}
+
+Json json_of(const Fact& fact) {
+  const bool counts = fact.name.ends_with("_count") || fact.name.ends_with("_bytes");
+  return counts ? whole(fact.value) : Json(fact.value);
 }
 
 /// Mistakes, warnings, notes and the effort of a run for other programs; the same exit codes.
@@ -80,10 +93,10 @@ int info_for_programs(const CheckArguments& arguments, const BuildIdentity& buil
                   {"kernels", kernel_level_name()}};
   if (!arguments.scene.empty()) {
     const Scene scene = read_scene(arguments.scene, arguments.overrides);
-    for (const Fact& fact : scene_facts(scene)) members[fact.name] = fact.value;
+    for (const Fact& fact : scene_facts(scene)) members[fact.name] = json_of(fact);
     const Effort effort = estimate_effort(scene, choose_threads(0));
     members["wall_s"] = effort.seconds;
-    members["output_bytes"] = effort.output_bytes;
+    members["output_bytes"] = whole(effort.output_bytes);
   }
   std::cout << json_text(members);
   return 0;
@@ -111,8 +124,8 @@ int run_check(const CheckArguments& arguments) {
   const Scene scene = asked_scene(arguments.scene, arguments.overrides);
   check_results(scene);
   check_first_step(scene);
-  std::cout << arguments.scene << ": no mistakes found; " << scene.bodies.size() << " bodies, "
-            << scene.membranes.size() << " membranes\n";
+  std::cout << arguments.scene << ": no mistakes found; " << counted(scene.bodies.size(), "body", "bodies") << ", "
+            << counted(scene.membranes.size(), "membrane", "membranes") << '\n';
   print_notes(scene);
   std::cout << "a run: " << effort_in_words(estimate_effort(scene, 1)) << '\n';
   return 0;

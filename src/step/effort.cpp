@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <limits>
 
 #include "base/text.hpp"
@@ -40,6 +41,12 @@ void try_steps(const Scene& scene, Effort& effort) {
   effort.seconds = effort.steps * seconds_since(start) / steps;
 }
 
+/// A trial gives no more than three.
+double in_digits(double estimate) {
+  constexpr int digits = 3;
+  return std::strtod(format_number(estimate, digits).c_str(), nullptr);
+}
+
 std::string in_bytes(double bytes) {
   constexpr double mega = 1e6, giga = 1e9;
   return bytes < giga ? format_number(std::max(1.0, bytes / mega), 3) + " MB" : format_number(bytes / giga, 3) + " GB";
@@ -59,14 +66,15 @@ Effort estimate_effort(const Scene& scene, int threads) {
   } catch (const RunError&) {
     effort.seconds = std::numeric_limits<double>::quiet_NaN();
   }
+  effort.steps = in_digits(effort.steps);
+  effort.seconds = in_digits(effort.seconds);
   const double frames = std::min(scene.time.end / scene.output.frame_interval, effort.steps) + 1;
   effort.output_bytes = output_bytes(scene) * frames / (scene.time.end / scene.output.frame_interval + 1);
   return effort;
 }
 
 std::string effort_in_words(const Effort& effort) {
-  constexpr int digits = 3;
-  return format_number(effort.particles) + " particles, about " + format_number(effort.steps, digits) + " steps, " +
+  return format_number(effort.particles) + " particles, about " + format_number(effort.steps) + " steps, " +
          format_duration(effort.seconds) + " on this machine as busy as it is, " + in_bytes(effort.memory_bytes) +
          " of memory, " + in_bytes(effort.output_bytes) + " of frames";
 }

@@ -8,8 +8,9 @@
 namespace geodrop {
 
 struct Effort {
-  double particles = 0, steps = 0;
-  double seconds = 0;  ///< of wall time; NaN: the trial broke
+  double particles = 0;
+  double steps = 0;    ///< three digits
+  double seconds = 0;  ///< of wall time, three digits; NaN: the trial broke
   double memory_bytes = 0;
   double output_bytes = 0;  ///< of frames
 };

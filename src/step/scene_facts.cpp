@@ -71,7 +71,7 @@ std::vector<Fact> scene_facts(const Scene& scene) {
   require_memory(scene);
   std::vector<Fact> facts =
       scene.dimension == 2 ? state_facts(scene, initial_state<2>(scene)) : state_facts(scene, initial_state<3>(scene));
-  facts.push_back({"memory_bytes_count", estimate_memory(scene).bytes});
+  facts.push_back({"memory_bytes", estimate_memory(scene).bytes});
   return facts;
 }
 

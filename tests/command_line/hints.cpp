@@ -130,8 +130,13 @@ TEST_CASE("check and info as JSON") {
   const Json info = Json::parse(run_program({"info", bar, "--json"}).out);
   CHECK(info["particles_count"].get<double>() > 0);
   CHECK(info["time_step_s"].get<double>() > 0);
-  CHECK(info["memory_bytes_count"] == good["effort"]["memory_bytes"]);
-  CHECK(info["memory_bytes_count"].get<double>() > 25e6);  // of the program alone
+  CHECK(info["memory_bytes"] == good["effort"]["memory_bytes"]);
+  CHECK(info["memory_bytes"].get<double>() > 25e6);  // of the program alone
+  for (const char* name : {"particles", "steps", "memory_bytes", "output_bytes"})
+    CHECK_MESSAGE(good["effort"][name].is_number_integer(), name);
+  for (const char* name : {"particles_count", "steps_count", "bytes_per_particle_count", "memory_bytes"})
+    CHECK_MESSAGE(info[name].is_number_integer(), name);
+  CHECK(std::regex_match(good["effort"]["steps"].dump(), std::regex("[1-9][0-9]{0,2}0*")));  // three digits
 }
 
 TEST_CASE("A new scene passes check without a doubt, and is not written twice") {

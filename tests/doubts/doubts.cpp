@@ -193,4 +193,23 @@ TEST_CASE("Each calculator doubts densities, stiffness and strength, and the usu
   CHECK(contains(rests.err, "warning: --stiffness = 1000 N/m"));
   CHECK(contains(rests.err, "warning: --strength = 120 N/m"));
 }
+TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort, a run keeps its doubts") {
+  const Scene scene = read_scene(source_path("cases/gravity_column.toml"));
+  const Effort effort = estimate_effort(scene, 1);
+  CHECK(effort.particles == 640);
+  CHECK(effort.steps > 1000);
+  CHECK(effort.seconds > 0);
+  CHECK(effort.output_bytes == near(0.5 * 11.01 * 640 * 130, 1e-6));  // a compressed frame each 0.1 s of 1.001 s
+  const std::vector<std::string> words{"check", source_path("cases/gravity_column.toml"),
+                                       "--set", "materials.soil.density=2.0",
+                                       "--set", "materials.soil.youngs_modulus=1e4"};
+  const Outcome check = run_program(words);
+  CHECK(check.code == 0);
+  CHECK(contains(check.out, "no mistakes found; 1 body, 0 membranes\n"));
+  CHECK(contains(check.out, "a run: 640 particles"));
+  CHECK(contains(effort_in_words({.particles = 640, .steps = 15700}), "about 15700 steps"));
+  const SceneRun run("cases/dump_kekerdom_mixture.toml",
+                     {"grid.spacing=0.5", "time.end=0.01", "membranes.geotextile.strength=120.0"});
+  CHECK(contains(run.summary(), "membranes.geotextile.strength = 120 N/m is unusual"));
+}
 
