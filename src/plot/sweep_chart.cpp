@@ -3,6 +3,9 @@
 #include "base/nearest_name.hpp"
 #include "base/units.hpp"
 #include "csv_table.hpp"
+#include "files/run_record.hpp"
+#include "panel_unit.hpp"
+#include "reader/key_units.hpp"
 
 #include <geodrop/base/error.hpp>
 
@@ -48,7 +51,7 @@ void sort_by_x(ChartSeries& series) {
   for (std::size_t i = 0; i < points.size(); ++i) std::tie(series.x[i], series.y[i]) = points[i];
 }
 
-/// Large numbers along x in thousands or millions, so that they stand side by side.
+/// Large numbers along x in thousands or millions, so that they stand side by side; of a key without a unit.
 void scale_x(ChartPanel& panel) {
   constexpr double long_number = 1e5, kilo = 1e3, mega = 1e6;
   double largest = 0;
@@ -59,6 +62,31 @@ void scale_x(ChartPanel& panel) {
   for (ChartSeries& series : panel.series)
     for (double& x : series.x) x /= unit;
   panel.x_label += unit == kilo ? " [1e3]" : " [1e6]";
+}
+
+void name_axes(ChartPanel& panel, const SweepChartOptions& options) {
+  const std::string& key = options.over[0];
+  const std::string unit(unit_of_path(key));
+  if (unit.empty()) {
+    panel.x_label = key;
+    scale_x(panel);
+  } else {
+    set_x_unit(panel, key, unit);
+  }
+  set_y_unit(panel, in_words(options.result), unit_of_name(options.result));
+}
+
+/// "grid.spacing = 0.25 m"
+std::string with_unit(const std::string& key, const std::string& value) {
+  const std::string unit(unit_of_path(key));
+  return key + " = " + value + (unit.empty() || unit == "-" ? "" : " " + unit);
+}
+
+/// That of the scene, where a run has told it; else the directory.
+std::string title_of(const std::filesystem::path& directory, const TextTable& manifest) {
+  for (const Names& row : manifest.rows)
+    if (const auto record = find_run_record(directory / row[0]); record && !record->title.empty()) return record->title;
+  return directory.string();
 }
 
 }  // namespace
@@ -88,17 +116,16 @@ Chart sweep_chart(const SweepChartOptions& options) {
   if (order.empty()) refuse(table, "", "no run that is done", "a sweep with results");
   constexpr std::size_t most_curves = 12;
   const bool scattered = varies.size() > 1 || order.size() > most_curves;
-  const std::string unit = unit_of_name(options.result);
-  ChartPanel panel{"", options.over[0], options.result + (unit.empty() ? "" : " [" + unit + "]"), {}};
+  ChartPanel panel{"", "", "", {}};
   for (const std::string& value : order) {
     ChartSeries& series = curves[value];
     sort_by_x(series);
-    if (order.size() > 1 && order.size() <= most_curves) series.label = options.over[1] + " = " + value;
+    if (order.size() > 1 && order.size() <= most_curves) series.label = with_unit(options.over[1], value);
     series.style = scattered ? SeriesStyle::points : SeriesStyle::marked_line;
     panel.series.push_back(series);
   }
-  scale_x(panel);
-  return {options.directory.string(), {panel}, 1};
+  name_axes(panel, options);
+  return {title_of(options.directory, table), {panel}, 1};
 }
 
 }  // namespace geodrop

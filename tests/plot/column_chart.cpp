@@ -80,7 +80,7 @@ TEST_CASE("A result over one key, and over two with a curve for each value; only
   CHECK(curves[0].y == Values{10, 20});
   CHECK(curves[1].y == Values{11});
   CHECK(curves[0].style == SeriesStyle::marked_line);
-  CHECK(two.panels[0].y_label == "height_m [m]");
+  CHECK(two.panels[0].y_label == "height [m]");
   const Chart one = sweep_chart({directory / "", {"a.key"}, "force_N"});
   REQUIRE(one.panels.at(0).series.size() == 1);
   CHECK(one.panels[0].series[0].style == SeriesStyle::points);  // b.key varies, too
@@ -91,6 +91,20 @@ TEST_CASE("A result over one key, and over two with a curve for each value; only
                    sweep_chart({directory / "none", {"b.key"}, "height_m"});
                  }),
                  "the manifest of a sweep"));
+}
+
+TEST_CASE("Axes and curves over keys of a scene have the keys' units") {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "manifest.csv")
+      << "run,materials.sand.youngs_modulus,bodies.bag.shape.tilt_deg,state,exit_code,fall_velocity_max_m_s\n"
+         "case_001,2e6,5,done,0,1\ncase_002,4e7,5,done,0,2\ncase_003,4e7,7,done,0,2\n";
+  const Chart chart = sweep_chart(
+      {directory / "", {"materials.sand.youngs_modulus", "bodies.bag.shape.tilt_deg"}, "fall_velocity_max_m_s"});
+  CHECK(chart.panels.at(0).x_label == "materials.sand.youngs_modulus [MPa]");
+  CHECK(chart.panels[0].series.at(0).x == Values{2, 40});
+  CHECK(chart.panels[0].series[0].label == "bodies.bag.shape.tilt_deg = 5 degree");
+  CHECK(chart.panels[0].y_label == "fall velocity max [m/s]");
+  CHECK(chart.title == directory / "");  // no run has told the title of its scene
 }
 
 TEST_CASE("Large numbers along x stand in millions") {

@@ -1,6 +1,7 @@
 // Every row of the table of keys, against two scenes in which every row occurs: one in the plane for all rows but those
 // of space, one in space for these. Each key is broken in turn.
 #include "reader/key_table.hpp"
+#include "reader/key_units.hpp"
 #include "keys/toml.hpp"
 #include "support/scene_files.hpp"
 
@@ -261,6 +262,17 @@ TEST_CASE("rows are well formed") {
     CHECK_FALSE(key.meaning.empty());
     CHECK_FALSE(key.allowed.text.empty());
   }
+}
+
+TEST_CASE("The unit of a full key") {
+  CHECK(unit_of_path("grid.spacing") == "m");
+  CHECK(unit_of_path("gravity.1") == "m/s2");
+  CHECK(unit_of_path("materials.sand.youngs_modulus") == "Pa");
+  CHECK(unit_of_path("bodies.bag.shape.tilt_deg") == "degree");
+  CHECK(unit_of_path("bodies.bag.jitter").size() < 2);  // a share
+  CHECK(unit_of_path("solver.transfer").empty());
+  CHECK(unit_of_path("grid.spcing").empty());
+  CHECK(unit_of_path("").empty());
 }
 
 TEST_CASE("docs/scene.md is what the table says") {
