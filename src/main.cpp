@@ -206,7 +206,7 @@ int print_help(const CLI::App& app, const std::string& command) {
   const auto named = app.get_subcommands([&](const CLI::App* each) { return each->get_name() == command; });
   const CLI::App* const of = command.empty() ? &app : named.empty() ? nullptr : named.front();
   if (of)
-    std::cout << of->help();
+    std::cout << (of == &app ? app.help() : of->help(app.get_name()));
   else
     std::cerr << "geodrop: " << geodrop::hint_for(app, {"geodrop", command}) << '\n';
   return of ? 0 : geodrop::exit_usage;
