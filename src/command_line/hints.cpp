@@ -27,7 +27,7 @@ constexpr std::pair<const char*, const char*> examples[] = {
      "geodrop ensemble cases/dump_kekerdom.toml --samples 20 --set grid.spacing=0.5 "
      "--vary bodies.container.shape.tilt_deg=2.0:15.0"},
     {"sweep",
-     "geodrop sweep my_scene.toml --vary grid.spacing=0.5,0.25,0.125 --jobs 2\n"
+     "geodrop sweep my_scene.toml --vary grid.spacing=0.25,0.125 --jobs 2\n"
      "geodrop sweep my_scene.toml --vary membranes.geotextile.axial_stiffness=1e5:1e7:5:log --output runs/stiffness"},
     {"plot",
      "geodrop plot runs/dump_kekerdom\n"

@@ -57,6 +57,38 @@ std::string wave_speed_doubt(const Scene& scene, const BodySpec& body) {
          ", a fluid is weakly compressible up to 0.3 only; take a sound_speed of " + number(10 * speed) + " m/s";
 }
 
+std::string finer_grid(const Scene& scene, double most) {
+  const double fine = largest_allowed_spacing(scene, most);
+  return fine > 0 ? fmt::format("take grid.spacing = {} [m]", fine) : "no grid.spacing fine enough divides the domain";
+}
+
+bool from_wall_to_wall(const Scene& scene, const Bounds& box, std::size_t axis) {
+  return box.lower[axis] <= scene.grid.lower[axis] && box.upper[axis] >= scene.grid.upper[axis];
+}
+
+/// Of the cells along an axis, the finest.
+double finest_spacing(const GridSpec& grid, std::size_t axis) {
+  double finest = grid.spacing;
+  for (const RefineSpec& zone : grid.refine)
+    if (zone.axis == static_cast<int>(axis)) finest = std::min(finest, zone.spacing);
+  return finest;
+}
+
+/// Fewer cells give the shape of the grid, not that of the membrane.
+std::string coarse_content_doubt(const Scene& scene, const BodySpec& body) {
+  constexpr double least_cells = 4, chords = 0.02;  // by which a surface of triangles lies within its ellipsoid
+  if (!is_enclosed(scene, body)) return {};
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  for (std::size_t axis = box.lower.size(); axis-- > 0;) {  // the height first
+    const double extent = box.upper[axis] - box.lower[axis], cells = extent / finest_spacing(scene.grid, axis);
+    if (from_wall_to_wall(scene, box, axis) || cells >= least_cells * (1 - chords)) continue;
+    return "bodies." + body.name + " is " + number(cells) + " cells " +
+           (axis + 1 == box.lower.size() ? "high" : "wide") + ": a body within a membrane has to have at least four; " +
+           (has_zone(scene.grid, axis) ? "take a finer zone of grid.refine" : finer_grid(scene, extent / least_cells));
+  }
+  return {};
+}
+
 /// Only particles of cells all of whose neighbours are full are shifted (transfer/gather).
 std::string shift_doubt(const Scene& scene, const BodySpec& body) {
   if (!body.shift) return {};
@@ -64,16 +96,12 @@ std::string shift_doubt(const Scene& scene, const BodySpec& body) {
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < box.lower.size(); ++i) {
-    const bool from_wall_to_wall = box.lower[i] <= scene.grid.lower[i] && box.upper[i] >= scene.grid.upper[i];
-    if (!from_wall_to_wall) least = std::min(least, box.upper[i] - box.lower[i]);
+    if (!from_wall_to_wall(scene, box, i)) least = std::min(least, box.upper[i] - box.lower[i]);
   }
   if (least >= least_cells * scene.grid.spacing) return {};
-  const double fine = largest_allowed_spacing(scene, least / least_cells);
   return "bodies." + body.name + ".shift moves few particles or none: the body is " +
          number(least / scene.grid.spacing) + " cells across, and only cells with full neighbours on all sides are " +
-         "evened out; " +
-         (fine > 0 ? fmt::format("take grid.spacing = {} [m]", fine)
-                   : std::string("no grid.spacing fine enough divides the domain"));
+         "evened out; " + finer_grid(scene, least / least_cells);
 }
 
 }  // namespace
@@ -108,6 +136,8 @@ std::vector<std::string> doubtful_numerics(const Scene& scene) {
                     ", up to which splashing water was tried");
   for (const BodySpec& body : scene.bodies)
     if (std::string doubt = shift_doubt(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
+  for (const BodySpec& body : scene.bodies)
+    if (std::string doubt = coarse_content_doubt(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
   return found;
 }
 

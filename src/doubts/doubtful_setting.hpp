@@ -11,7 +11,7 @@ namespace geodrop {
 /// Surfaces of still fluids that are not where the fluid ends; a wave speed too low for the depth.
 std::vector<std::string> doubtful_water(const Scene& scene);
 
-/// Blend rate and Courant number.
+/// Blend rate and Courant number; bodies of too few cells.
 std::vector<std::string> doubtful_numerics(const Scene& scene);
 
 /// Frames that fill the disk, or none between start and end.

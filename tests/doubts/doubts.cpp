@@ -116,6 +116,22 @@ TEST_CASE("Numbers out of scale, and output that fills the disk") {
   CHECK(contains(joined(far), "m from the origin, over 1e9 cells"));
 }
 
+TEST_CASE("A body within a membrane has four cells across") {
+  const std::string coarse = joined({"grid.spacing=0.5"}, "cases/dump_kekerdom_mixture.toml");
+  CHECK(contains(coarse,
+                 "bodies.container is 2.03 cells wide: a body within a membrane has to have at least four; "
+                 "take grid.spacing = 0.25 [m]"));
+  CHECK_FALSE(contains(joined({}, "cases/dump_kekerdom_mixture.toml"), "cells wide"));
+  const char* const zone = "grid.refine=[{axis='x',from=-2.0,to=2.0,spacing=0.25}]";
+  CHECK_FALSE(contains(joined({"grid.spacing=0.5", zone}, "cases/dump_kekerdom_mixture.toml"), "cells wide"));
+  CHECK(contains(
+      joined({"grid.spacing=0.5", "grid.refine=[{axis='x',from=-2.0,to=2.0,spacing=0.4}]"},
+             "cases/dump_kekerdom_mixture.toml"),
+      "2.54 cells wide: a body within a membrane has to have at least four; take a finer zone of grid.refine"));
+  CHECK(contains(joined({"bodies.container.shape.semi_axes=[0.6, 0.45]"}, "cases/dump_kekerdom_mixture.toml"),
+                 "3.6 cells high"));
+}
+
 TEST_CASE("The spacing that the doubt about shift advises is accepted, and raises it no more") {
   using Settings = std::vector<std::string>;
   const std::pair<const char*, Settings> cases[] = {
@@ -148,23 +164,6 @@ TEST_CASE("Unit weights and densities of the calculators") {
   CHECK(contains(tube.err, "warning: --unit-weight = 12 N/m3 is unusual"));
 }
 
-TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort, a run keeps its doubts") {
-  const Scene scene = read_scene(source_path("cases/gravity_column.toml"));
-  const Effort effort = estimate_effort(scene, 1);
-  CHECK(effort.particles == 640);
-  CHECK(effort.steps > 1000);
-  CHECK(effort.seconds > 0);
-  CHECK(effort.output_bytes == near(0.5 * 11.01 * 640 * 130, 1e-6));  // a compressed frame each 0.1 s of 1.001 s
-  const std::vector<std::string> words{"check", source_path("cases/gravity_column.toml"),
-                                       "--set", "materials.soil.density=2.0",
-                                       "--set", "materials.soil.youngs_modulus=1e4"};
-  const Outcome check = run_program(words);
-  CHECK(check.code == 0);
-  CHECK(contains(check.out, "a run: 640 particles"));
-  const SceneRun run("cases/dump_kekerdom_mixture.toml",
-                     {"grid.spacing=0.5", "time.end=0.01", "membranes.geotextile.strength=120.0"});
-  CHECK(contains(run.summary(), "membranes.geotextile.strength = 120 N/m is unusual"));
-}
 TEST_CASE("Each calculator doubts densities, stiffness and strength, and the usual ones not") {
   using Words = std::vector<std::string>;
   const auto warnings = [](Words words, const Words& more) {
@@ -193,6 +192,7 @@ TEST_CASE("Each calculator doubts densities, stiffness and strength, and the usu
   CHECK(contains(rests.err, "warning: --stiffness = 1000 N/m"));
   CHECK(contains(rests.err, "warning: --strength = 120 N/m"));
 }
+
 TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort, a run keeps its doubts") {
   const Scene scene = read_scene(source_path("cases/gravity_column.toml"));
   const Effort effort = estimate_effort(scene, 1);
@@ -212,4 +212,3 @@ TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort
                      {"grid.spacing=0.5", "time.end=0.01", "membranes.geotextile.strength=120.0"});
   CHECK(contains(run.summary(), "membranes.geotextile.strength = 120 N/m is unusual"));
 }
-
