@@ -40,6 +40,12 @@ struct RestingPlace {
   /// In the plane: depth of the lowest point below the surface that the bed had at the start there; negative: above it
   /// [m]. Nothing without a bed.
   std::optional<double> burial{};
+
+  /// Faster than what creeps or quivers [m/s]: it has not come to rest.
+  bool is_moving() const {
+    constexpr double fastest_rest = 0.05;
+    return speed > fastest_rest;
+  }
 };
 
 /// Height of the surface of the bed at the start at a place x of the plane [m]: of `bed`, or where that is empty of the

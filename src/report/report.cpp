@@ -138,6 +138,10 @@ std::string resting_table(const Source& source) {
     page +=
         "<p>Burial: depth of the lowest point below the surface that the bed had there at the start; negative: "
         "above it.</p>\n";
+  for (const RestingPlace& place : places)
+    if (place.is_moving())
+      page += "<p class=\"warning\">" + text(place.body) + " still moves at " + figure(place.speed, "m/s") +
+              ": not a resting shape.</p>\n";
   return page;
 }
 
