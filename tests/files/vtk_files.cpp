@@ -175,6 +175,17 @@ TEST_CASE("membranes come back as lines with their tension") {
   CHECK(lines->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 2);
 }
 
+TEST_CASE("The page of ParaView has all fields of membranes") {
+  const std::string page = read_file(source_path("paraview/README.md"));
+  const std::string table = page.substr(page.find("## Fields of the membranes"));
+  std::vector<std::string> names;
+  for (const Field& field : take_snapshot(small_state(), materials).membranes.fields) names.push_back(field.name);
+  for (const Field& field : take_snapshot(State<3>(), {}).membranes.fields) names.push_back(field.name);
+  CHECK(names.size() >= 10);
+  for (const std::string& name : names)
+    CHECK_MESSAGE(table.substr(0, table.find("\n\n")).find("| `" + name + "` |") != std::string::npos, name);
+}
+
 TEST_CASE("rigid bodies come back as their outlines with their velocity; what is not there has none") {
   const TemporaryDirectory directory;
   State<2> state = small_state();
