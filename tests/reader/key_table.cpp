@@ -1,8 +1,8 @@
 // Every row of the table of keys, against two scenes in which every row occurs: one in the plane for all rows but those
 // of space, one in space for these. Each key is broken in turn.
 #include "reader/key_table.hpp"
-#include "reader/key_units.hpp"
 #include "keys/toml.hpp"
+#include "reader/key_units.hpp"
 #include "support/scene_files.hpp"
 
 #include <doctest/doctest.h>
@@ -262,6 +262,15 @@ TEST_CASE("rows are well formed") {
     CHECK_FALSE(key.meaning.empty());
     CHECK_FALSE(key.allowed.text.empty());
   }
+}
+
+TEST_CASE("The meaning of each type of initial stress is told") {
+  const std::vector<Key>& keys = find_section("bodies.initial_stress").keys;
+  const auto type = std::ranges::find(keys, "type", &Key::name);
+  REQUIRE(type != keys.end());
+  CHECK(type->words.size() == 6);
+  for (const std::string& word : type->words)
+    CHECK_MESSAGE((' ' + std::string(type->meaning)).find(' ' + word + ": ") != std::string::npos, word);
 }
 
 TEST_CASE("The unit of a full key") {
