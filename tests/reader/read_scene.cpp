@@ -70,7 +70,7 @@ TEST_CASE("numerics as written") {
   CHECK(zone.at.line > 200);
   CHECK(scene.walls.lower == std::vector{WallKind::slip, WallKind::no_slip});  // left, bottom
   CHECK(scene.walls.upper == std::vector{WallKind::no_slip, WallKind::slip});  // right, top
-  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0, MassMatrix::lumped, true});
+  CHECK(scene.solver == SolverSpec{Transfer::blend, 10.0, 0.4, 0.0, MassMatrix::lumped, Weight::particle, true});
   CHECK(scene.time.end == 2.0);
   CHECK(scene.output == OutputSpec{0.1, 0.01, true, {"velocity", "stress"}});
   CHECK(scene.checkpoints == CheckpointSpec{60.0, 0.5});
