@@ -208,7 +208,7 @@ TEST_CASE("Weight by cells: the volume of filled cells is weighed, not the parti
   const auto by_cells = [](const auto& i, double crowd) { return i[1] < surface - 1 ? 1 / crowd : 1.0; };
   check(Weight::cell, by_cells);
   grid.taken.assign(grid.cell_volume.size(), 0.0);  // part of a cell is across a sharp interface
-  grid.taken[grid.layout.index({5 + GridLayout<2>::pad, 3 + GridLayout<2>::pad})] = 0.1;
+  grid.taken[grid.layout.index({5, 3})] = 0.1;
   check(Weight::cell, [&](const auto& i, double crowd) {
     return std::abs(i[0] - 5) <= 1 && std::abs(i[1] - 3) <= 1 ? 1.0 : by_cells(i, crowd);
   });
