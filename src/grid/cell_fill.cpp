@@ -21,20 +21,6 @@ double cell_measure(const GridLayout<Dim>& layout) {
   return Dim == 2 ? layout.h * layout.h : layout.h * layout.h * layout.h;
 }
 
-/// Along a wall the neighbour beyond it is the mirror image; along a periodic seam, the cell on the other side.
-template <int Dim>
-int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {
-  int flat = 0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    int c = cell[axis] - GridLayout<Dim>::pad + a[axis] - 1;
-    const int cells = layout.cells[axis];
-    if (c < 0) c = layout.periodic(axis) ? c + cells : -c;
-    if (c > cells) c = layout.periodic(axis) ? c - cells : 2 * cells - c;
-    flat += (c + GridLayout<Dim>::pad) * layout.stride[axis];
-  }
-  return flat;
-}
-
 /// cell_fill := V / V_c, not yet smoothed; what bodies across a sharp interface and rigid bodies have of a cell
 /// counts as full.
 template <int Dim>

@@ -136,13 +136,9 @@ struct MomentumStep {
 /// Whether particles fill all cells in reach of a node, without rigid bodies, sharp interfaces and surface.
 template <int Dim>
 bool filled_around(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node) {
-  constexpr int pad = GridLayout<Dim>::pad;
   bool filled = true;
-  for_neighbourhood(grid.layout, flat, [&](int cell, const std::array<int, Dim>& a) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      const int c = node[axis] + a[axis] - 1;
-      if (!grid.layout.periodic(axis) && (c < pad || c > pad + grid.layout.cells[axis])) return;  // behind a wall
-    }
+  for_neighbourhood(grid.layout, flat, [&](int, const std::array<int, Dim>& a) {
+    const int cell = mirrored<Dim>(grid.layout, node, a);
     filled = filled && (grid.cell_flags[cell] & cell_filled) && (grid.taken.empty() || grid.taken[cell] == 0);
   });
   return filled;

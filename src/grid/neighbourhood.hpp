@@ -16,6 +16,21 @@ std::array<int, Dim> stored_cell(const GridLayout<Dim>& layout, int flat) {
   return cell;
 }
 
+/// Flat index of the neighbour at offsets a in {0,1,2}^Dim of a node or cell with these stored coordinates. Along a
+/// wall the neighbour beyond it is the mirror image; along a periodic seam, the cell on the other side.
+template <int Dim>
+int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, const std::array<int, Dim>& a) {
+  int flat = 0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    int c = cell[axis] - GridLayout<Dim>::pad + a[axis] - 1;
+    const int cells = layout.cells[axis];
+    if (c < 0) c = layout.periodic(axis) ? c + cells : -c;
+    if (c > cells) c = layout.periodic(axis) ? c - cells : 2 * cells - c;
+    flat += (c + GridLayout<Dim>::pad) * layout.stride[axis];
+  }
+  return flat;
+}
+
 /// Flat index of the cell that a point is in; x: coordinates of points, an array for each axis [m].
 template <int Dim, class Points>
 int cell_at(const GridLayout<Dim>& layout, const Points& x, std::size_t point) {

@@ -55,7 +55,7 @@ Row<Dim> momentum_row(const Scene& scene) {
   std::copy_n(scene.gravity.begin(), Dim, gravity.begin());
   return {"momentum",
           Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_flags | Data::cell_pressure |
-              Data::rigid_share | Data::pore_space,
+              Data::rigid_share | Data::pore_space | Data::cut_cells,
           Data::cell_pressure | Data::volume_rate | Data::nodal_velocity | Data::velocity_change, true,
           each_field<Dim>(
               [gravity, weights = weights_of_fields(scene)](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
