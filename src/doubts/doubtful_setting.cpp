@@ -134,10 +134,9 @@ std::vector<std::string> doubtful_numerics(const Scene& scene) {
   if (scene.solver.courant > usual)
     found.push_back("solver.courant = " + number(scene.solver.courant) + " is above " + number(usual) +
                     ", up to which splashing water was tried");
-  for (const BodySpec& body : scene.bodies)
-    if (std::string doubt = shift_doubt(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
-  for (const BodySpec& body : scene.bodies)
-    if (std::string doubt = coarse_content_doubt(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
+  for (const auto doubt_of : {shift_doubt, coarse_content_doubt})
+    for (const BodySpec& body : scene.bodies)
+      if (std::string doubt = doubt_of(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
   return found;
 }
 

@@ -33,17 +33,6 @@ std::string look(const std::string& key, double value, const std::string& unit, 
   return {};
 }
 
-std::string density(const std::string& key, double value) {
-  return look(key, value, "kg/m3",
-              {{0, 4, "t/m3", kilo}, {4, 40, "kN/m3", kilo / gravity}, {4000, 4e4, "N/m3", 1 / gravity}});
-}
-
-std::string stiffness(const std::string& key, double value) {
-  return look(key, value, "N/m", {{0, 1e4, "kN/m", kilo}});
-}
-
-std::string strength(const std::string& key, double value) { return look(key, value, "N/m", {{0, 2e3, "kN/m", kilo}}); }
-
 std::vector<std::string> material_doubts(const MaterialSpec& material) {
   const std::string at = "materials." + material.name + ".";
   std::vector<std::string> found;
@@ -55,7 +44,7 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
                       " Pa is that of rock; soils have 0.5 MPa to 1 GPa");
   };
   if (const auto* soil = std::get_if<MohrCoulombSpec>(&material.model)) {
-    found.push_back(density(at + "density", soil->density));
+    found.push_back(doubt_density(at + "density", soil->density));
     soil_modulus(soil->youngs_modulus);
     found.push_back(look(at + "cohesion", soil->cohesion, "Pa", {{0, 100, "kPa", kilo}}));
     const double half_turn = 180;
@@ -65,7 +54,7 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
                          {{0, 0.6, "radians", half_turn / std::numbers::pi}}));
   }
   if (const auto* fluid = std::get_if<NewtonianSpec>(&material.model)) {
-    found.push_back(density(at + "density", fluid->density));
+    found.push_back(doubt_density(at + "density", fluid->density));
     constexpr double stiff_as_pitch = 1000;
     if (fluid->viscosity > stiff_as_pitch)
       found.push_back(at + "viscosity = " + format_number(fluid->viscosity, unit_digits) +
@@ -77,7 +66,8 @@ std::vector<std::string> material_doubts(const MaterialSpec& material) {
 std::vector<std::string> membrane_doubts(const MembraneSpec& membrane) {
   const std::string at = "membranes." + membrane.name + ".";
   std::vector<std::string> found{
-      stiffness(at + "axial_stiffness", membrane.axial_stiffness), strength(at + "strength", membrane.strength),
+      doubt_stiffness(at + "axial_stiffness", membrane.axial_stiffness),
+      doubt_strength(at + "strength", membrane.strength),
       look(at + "mass_per_area", membrane.mass_per_area, "kg/m2", {{30, 1e5, "g/m2", 1 / kilo}})};
   constexpr double most_slack = 0.2;
   if (membrane.slack > most_slack || membrane.slack < -most_slack)
@@ -89,9 +79,18 @@ std::vector<std::string> membrane_doubts(const MembraneSpec& membrane) {
 
 }  // namespace
 
-std::string doubt_density(const std::string& name, double value) { return density(name, value); }
-std::string doubt_stiffness(const std::string& name, double value) { return stiffness(name, value); }
-std::string doubt_strength(const std::string& name, double value) { return strength(name, value); }
+std::string doubt_density(const std::string& name, double value) {
+  return look(name, value, "kg/m3",
+              {{0, 4, "t/m3", kilo}, {4, 40, "kN/m3", kilo / gravity}, {4000, 4e4, "N/m3", 1 / gravity}});
+}
+
+std::string doubt_stiffness(const std::string& name, double value) {
+  return look(name, value, "N/m", {{0, 1e4, "kN/m", kilo}});
+}
+
+std::string doubt_strength(const std::string& name, double value) {
+  return look(name, value, "N/m", {{0, 2e3, "kN/m", kilo}});
+}
 
 std::string doubt_unit_weight(const std::string& name, double value) {
   return look(name, value, "N/m3",
