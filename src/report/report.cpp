@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <vector>
 
 #include "base/atomic_file.hpp"
@@ -131,9 +132,9 @@ std::string resting_table(const Source& source) {
     cells.insert(cells.end(), {figure(place.turn_deg, "degree"), figure(place.speed, "m/s")});
     lines.push_back(cells);
   }
-  std::string page = "<p>Place and shape at t = " + figure(places.back().time, "s") + ":</p>\n" +
-                     table(lines, plane ? std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8}
-                                        : std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  std::vector<std::size_t> numbers(lines.front().size() - 1);
+  std::iota(numbers.begin(), numbers.end(), 1);
+  std::string page = "<p>Place and shape at t = " + figure(places.back().time, "s") + ":</p>\n" + table(lines, numbers);
   if (std::ranges::any_of(places, [](const RestingPlace& place) { return place.burial.has_value(); }))
     page +=
         "<p>Burial: depth of the lowest point below the surface that the bed had there at the start; negative: "
