@@ -23,11 +23,18 @@ td.number, th.number { text-align: right; white-space: nowrap; font-variant-nume
 figure { margin: 1em 0; break-inside: avoid; } figure img, figure svg { max-width: 100%; height: auto; }
 figcaption { font-size: 0.88em; color: #444444; }
 code { font: 0.92em "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
-@media print { body { margin: 0; max-width: none; font-size: 11px; } h2 { break-after: avoid; } tr { break-inside: avoid; } }
+@page { size: A4; margin: 15mm; }
+@media print {
+  body { margin: 0; max-width: none; padding: 0; font-size: 11px; } h2 { break-after: avoid; } tr { break-inside: avoid; }
+  figure { margin: 0.5em 0; } figure.picture img { max-height: 11.8cm; } figure.drawing img { max-height: 23cm; }
+}
 )";
 
-std::string figure(const std::string& content, const std::string& caption) {
-  return "<figure>" + content + "<figcaption>" + text(caption) + "</figcaption></figure>\n";
+/// An image within the page; kind "picture": two fit on a printed page, "drawing": one.
+std::string figure(const std::string& kind, const std::string& type, const std::filesystem::path& file,
+                   const std::string& caption) {
+  return "<figure class=\"" + kind + "\"><img alt=\"" + text(caption) + "\" src=\"data:image/" + type + ";base64," +
+         base64(text_of_file(file)) + "\"><figcaption>" + text(caption) + "</figcaption></figure>\n";
 }
 
 }  // namespace
@@ -82,15 +89,12 @@ std::string base64(const std::string& bytes) {
 }
 
 std::string picture(const std::filesystem::path& png, const std::string& caption) {
-  return figure("<img alt=\"" + text(caption) + "\" src=\"data:image/png;base64," + base64(text_of_file(png)) + "\">",
-                caption);
+  return figure("picture", "png", png, caption);
 }
 
 std::string drawing(const std::filesystem::path& svg, const std::string& caption) {
   // As an image: names inside a drawing would be those of the whole page otherwise.
-  return figure(
-      "<img alt=\"" + text(caption) + "\" src=\"data:image/svg+xml;base64," + base64(text_of_file(svg)) + "\">",
-      caption);
+  return figure("drawing", "svg+xml", svg, caption);
 }
 
 std::string page(const std::string& title, const std::string& body) {

@@ -246,6 +246,19 @@ struct CaptionedPicture {
   std::string caption;
 };
 
+/// Of the tension of membranes, the same in all pictures so that they can be compared: to the largest of the run.
+/// Nothing if there is none.
+std::optional<ValueRange> tensions_of_run(const Source& source) {
+  double largest = 0;
+  for (const MembraneSpec& membrane : source.scene.membranes) {
+    const std::string column = membrane.name + ".tension_max_N_m";
+    if (std::ranges::find(source.history.names, column) == source.history.names.end()) continue;
+    for (const double tension : source.history.column(column))
+      if (std::isfinite(tension)) largest = std::max(largest, tension);
+  }
+  return largest > 0 ? std::optional(ValueRange{0, largest}) : std::nullopt;
+}
+
 /// Of what the stress of particles is, beside its sign.
 std::string stress_caption(const Scene& scene) {
   const bool has_coupled =
@@ -255,13 +268,14 @@ std::string stress_caption(const Scene& scene) {
 
 /// Bodies and layers, in space membranes from outside; velocities near a small membrane; pressures and stresses at the
 /// end.
-std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene& scene, const Instant& instant) {
+std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene& scene, const Instant& instant,
+                                          const std::optional<ValueRange>& tensions) {
   const std::optional<Extent> close = membrane_window(snapshot, scene);
   const std::vector<std::string> fields = picture_fields(snapshot);  // output.fields may leave some out
   const auto written = [&](const char* name) { return std::ranges::find(fields, name) != fields.end(); };
   std::vector<CaptionedPicture> pictures;
   const auto add = [&](const char* field, const std::optional<Extent>& window, const std::string& caption) {
-    pictures.push_back({{field, "tension", window, {}, {}, {}}, caption});
+    pictures.push_back({{field, "tension", window, {}, tensions, {}}, caption});
   };
   const bool has_particles = !snapshot.particles.points.empty();
   if (has_particles) add("layers", {}, "bodies and layers");
@@ -284,11 +298,12 @@ std::string pictures(const Source& source) {
     at->second.why += ", " + instant.why;
     at->second.is_end |= instant.is_end;
   }
+  const std::optional<ValueRange> tensions = tensions_of_run(source);
   std::string page;
   for (const auto& [index, instant] : frames) {
     const Snapshot snapshot = read_frame(source.options.directory, index);
     const std::string time = "t = " + figure(snapshot.t, "s") + ", " + instant.why;
-    for (const CaptionedPicture& picture : pictures_of(snapshot, source.scene, instant))
+    for (const CaptionedPicture& picture : pictures_of(snapshot, source.scene, instant, tensions))
       page += embed(
           source, ".png", [&](const fs::path& file) { draw_snapshot(source.scene, snapshot, picture.options, file); },
           [&](const fs::path& file) { return html::picture(file, time + ": " + picture.caption); });
