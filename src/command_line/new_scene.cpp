@@ -63,7 +63,7 @@ viscosity = 8.9e-4
 [materials.sand]
 model = "mohr_coulomb"
 density = 1900.0
-youngs_modulus = 2.8e6
+youngs_modulus = 2.0e6
 poissons_ratio = 0.3
 cohesion = 0.0
 friction_angle_deg = 32.0
@@ -71,13 +71,13 @@ dilatancy_angle_deg = 0.0
 tension_cutoff = 0.0
 drainage = "undrained"
 porosity = 0.4
-fluid_bulk_modulus = 22.5e6
+fluid_bulk_modulus = 16.0e6  # of water in the pores; far above the skeleton, far below the 2.1e9 of real water, which costs time
 void_memory = true
 
 [materials.clay]
 model = "mohr_coulomb"
 density = 1900.0
-youngs_modulus = 5.0e6
+youngs_modulus = 2.5e6
 poissons_ratio = 0.3
 cohesion = 20.0e3  # undrained strength; undrained sand has next to none at its surface: the bag would make a crater
 friction_angle_deg = 0.0
@@ -85,7 +85,7 @@ dilatancy_angle_deg = 0.0
 tension_cutoff = 0.0
 drainage = "undrained"
 porosity = 0.4
-fluid_bulk_modulus = 40.0e6
+fluid_bulk_modulus = 20.0e6
 
 [[bodies]]
 name = "water"
@@ -102,7 +102,7 @@ initial_stress = { type = "hydrostatic", fluid = "water", surface = 6.0 }
 [[bodies]]
 name = "bed"
 material = "clay"
-shape = { type = "box", lower = [-2.3, -0.5], upper = [2.3, 0.0] }
+shape = { type = "box", lower = [-2.0, -0.5], upper = [2.0, 0.0] }
 initial_stress = { type = "k0", surface = 0.0, k0 = 0.5, under = "fluid", fluid = "water", fluid_surface = 6.0 }
 
 [[bodies]]

@@ -71,6 +71,7 @@ std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>&, co
 std::vector<NodeVector<2>> normals_over(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
                                         const Stretch& stretch) {
   std::vector<NodeVector<2>> out;
+  out.reserve(9 * stretch.count);
   for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
     const PieceIntegral integral = integrate_piece(layout, membrane, cells, piece);
     const auto [nx, ny] = integral.normal;
@@ -118,7 +119,8 @@ Columns<Dim>::Columns(const Grids<Dim>& grids) : grids_(grids) {
     }
   std::size_t size = 1;
   for (int a = 0; a < Dim; ++a) size *= count_[a] = std::max(0, last[a] - first_[a]);
-  number_.assign(grids.size(), std::vector<int>(size, -1));
+  number_.resize(grids.size());
+  for (std::vector<int>& of_field : number_) of_field.assign(size, -1);
 }
 
 template <int Dim>
@@ -153,17 +155,23 @@ class RowInField {
     std::size_t size = vectors.empty() ? 0 : 1;
     for (int a = 0; a < Dim && size > 0; ++a) size *= count_[a] = last[a] + 1 - first_[a];
     slot_.assign(size, -1);
+    ways_.resize(size);
+    entries_.reserve(size);
+    root_mass_.reserve(size);
+    shares_.reserve(size);
   }
 
   /// False if nothing there can take it.
   bool add(const std::vector<NodeVector<Dim>>& vectors) {
     std::array<double, Dim> nowhere{};  // vectors with no mass around
     for (const NodeVector<Dim>& vector : vectors) {
-      const double mass = grid_.sum[vector.node][3], kept = std::min(1.0, mass / light_mass_at(grid_, vector.node));
+      Ways& ways = ways_[place_of(vector.node)];
+      if (ways.first < 0) ways = find_ways(vector.node);
       std::array<double, Dim> value;
       for (int a = 0; a < Dim; ++a) value[a] = sign_ * vector.value[a];
-      if (kept > 0) put(vector.node, kept, value);
-      if (kept < 1 && !spread(vector.node, 1 - kept, value))
+      for (int k = ways.first; k < ways.end; ++k)
+        for (int a = 0; a < Dim; ++a) entries_[shares_[k].slot].value[a] += shares_[k].scale * value[a];
+      if (ways.leads_nowhere)
         for (int a = 0; a < Dim; ++a) nowhere[a] += value[a];
     }
     if (entries_.empty()) return false;
@@ -174,29 +182,54 @@ class RowInField {
   const std::vector<typename RawRow<Dim>::Entry>& entries() const { return entries_; }
 
  private:
-  void put(int node, double share, const std::array<double, Dim>& value) {
+  /// What an entry takes of a vector at a node: share / m^1/2.
+  struct Share {
+    int slot;
+    double scale;
+  };
+  /// Where a vector at a node goes, the same for all pieces of a stretch: [first, end) of shares_.
+  struct Ways {
+    int first = -1, end = -1;  ///< -1: not known yet
+    bool leads_nowhere = false;
+  };
+
+  int place_of(int node) const {
     const std::array<int, Dim> at = stored_cell(grid_.layout, node);
     int place = 0;
     for (int a = Dim - 1; a >= 0; --a) place = place * count_[a] + at[a] - first_[a];
-    if (slot_[place] < 0) {
+    return place;
+  }
+
+  Ways find_ways(int node) {
+    const double mass = grid_.sum[node][3], kept = std::min(1.0, mass / light_mass_at(grid_, node));
+    Ways ways{static_cast<int>(shares_.size())};
+    if (kept > 0) put(node, kept);
+    if (kept < 1) ways.leads_nowhere = !spread(node, 1 - kept);
+    ways.end = static_cast<int>(shares_.size());
+    return ways;
+  }
+
+  /// Nothing if walls hold the node.
+  void put(int node, double share) {
+    int& slot = slot_[place_of(node)];
+    if (slot < 0) {
       const std::array<bool, Dim> fixed = held_by_walls(grid_.layout, node);
       if (std::find(fixed.begin(), fixed.end(), false) == fixed.end()) return;
-      slot_[place] = static_cast<int>(entries_.size());
+      slot = static_cast<int>(entries_.size());
       entries_.push_back({grid_.field, node, {}});
       root_mass_.push_back(std::sqrt(grid_.sum[node][3]));
     }
-    const double scale = share / root_mass_[slot_[place]];
-    for (int a = 0; a < Dim; ++a) entries_[slot_[place]].value[a] += scale * value[a];
+    shares_.push_back({slot, share / root_mass_[slot]});
   }
 
   /// As grid/momentum hands on what a light node cannot take; false if nothing around has mass.
-  bool spread(int node, double share, const std::array<double, Dim>& value) {
+  bool spread(int node, double share) {
     double mass = 0;
     for (int n = 0; n < nodes_around<Dim>; ++n) mass += grid_.sum[node_around(grid_.layout, node, n)][3];
     if (mass <= 0) return false;
     for (int n = 0; n < nodes_around<Dim>; ++n) {
       const int other = node_around(grid_.layout, node, n);
-      if (grid_.sum[other][3] > 0) put(other, share * grid_.sum[other][3] / mass, value);
+      if (grid_.sum[other][3] > 0) put(other, share * grid_.sum[other][3] / mass);
     }
     return true;
   }
@@ -205,14 +238,18 @@ class RowInField {
   void spread_over_row(const std::array<double, Dim>& value) {
     double mass = 0;
     for (const auto& entry : entries_) mass += grid_.sum[entry.node][3];
-    for (std::size_t k = 0; k < entries_.size(); ++k)
-      put(entries_[k].node, grid_.sum[entries_[k].node][3] / mass, value);
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      const double scale = grid_.sum[entries_[k].node][3] / mass / root_mass_[k];
+      for (int a = 0; a < Dim; ++a) entries_[k].value[a] += scale * value[a];
+    }
   }
 
   const Grid<Dim>& grid_;
   double sign_;
   std::array<int, Dim> first_{}, count_{};  ///< box of the nodes that it may reach
   std::vector<int> slot_;                   ///< by node of the box: number of its entry
+  std::vector<Ways> ways_;                  ///< by node of the box
+  std::vector<Share> shares_;
   std::vector<typename RawRow<Dim>::Entry> entries_;
   std::vector<double> root_mass_;
 };
@@ -224,6 +261,7 @@ RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::v
   RowInField<Dim> one(grids[field], 1, vectors), rest(grids[other], -1, vectors);
   RawRow<Dim> row;
   row.complete = one.add(vectors) && rest.add(vectors);
+  row.entries.reserve(one.entries().size() + rest.entries().size());
   row.entries = one.entries();
   row.entries.insert(row.entries.end(), rest.entries().begin(), rest.entries().end());
   return row;

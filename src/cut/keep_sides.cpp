@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -18,12 +19,12 @@ namespace {
 class NearEdges {
  public:
   NearEdges(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells)
-      : layout_(layout), membrane_(membrane), cells_(cells), near_(cells.size()) {
-    for (const CutCells::Piece& piece : cells.pieces)
-      for (int n = 0; n < 9; ++n) {
-        std::vector<int>& edges = near_[local_around(cells, piece.cell, n)];
-        if (edges.empty() || edges.back() != piece.edge) edges.push_back(piece.edge);
-      }
+      : layout_(layout), membrane_(membrane), cells_(cells), begin_(cells.size() + 1, 0) {
+    for_each_near([&](int cell, int) { ++begin_[cell + 1]; });
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    edges_.resize(begin_.back());
+    std::vector<int> at(begin_.begin(), begin_.end() - 1);
+    for_each_near([&](int cell, int edge) { edges_[at[cell]++] = edge; });
   }
 
   /// Where a point is to go that should be inside, or else outside; itself if it is there.
@@ -32,12 +33,12 @@ class NearEdges {
     constexpr double least_share = 1e-6;  // of it
     const int cell = local_cell(layout_, cells_, x[0], x[1]);
     if (cell < 0) return x;
-    const Nearest nearest = nearest_to(x, near_[cell]);
+    const Nearest nearest = nearest_to(x, cell);
     if (nearest.edge < 0 || is_inside(x, nearest) == inside) return x;
     const Vec<2> way = (inside ? -1 : 1) * distance * layout_.finest * normal_at(nearest);
     Vec<2> to = nearest.point + way;
     // Near the edge of a fold narrower than a right angle the whole way leads through the other flank.
-    for (double share = 0.5; share > least_share && is_inside(to, nearest_to(to, near_[cell])) != inside; share /= 2)
+    for (double share = 0.5; share > least_share && is_inside(to, nearest_to(to, cell)) != inside; share /= 2)
       to = nearest.point + share * way;
     return to;
   }
@@ -52,9 +53,22 @@ class NearEdges {
 
   Vec<2> node(std::size_t k) const { return {membrane_.x[0][k], membrane_.x[1][k]}; }
 
-  Nearest nearest_to(const Vec<2>& x, const std::vector<int>& edges) const {
+  /// f(cell, edge) for the edges in a cell or beside it; those of a cell in the order of the outline.
+  template <class F>
+  void for_each_near(F&& f) const {
+    std::vector<int> last(cells_.size(), -1);
+    for (const CutCells::Piece& piece : cells_.pieces)
+      for (int n = 0; n < 9; ++n) {
+        const int cell = local_around(cells_, piece.cell, n);
+        if (last[cell] == piece.edge) continue;
+        last[cell] = piece.edge;
+        f(cell, piece.edge);
+      }
+  }
+
+  Nearest nearest_to(const Vec<2>& x, int cell) const {
     Nearest nearest;
-    for (const int edge : edges) look_at(edge, x, nearest);
+    for (int k = begin_[cell]; k < begin_[cell + 1]; ++k) look_at(edges_[k], x, nearest);
     return nearest;
   }
   bool is_inside(const Vec<2>& x, const Nearest& nearest) const {
@@ -86,7 +100,7 @@ class NearEdges {
   const GridLayout<2>& layout_;
   const Membrane<2>& membrane_;
   const CutCells& cells_;
-  std::vector<std::vector<int>> near_;
+  std::vector<int> begin_, edges_;  ///< of each cell: edges_[begin_[cell]] to edges_[begin_[cell + 1] - 1]
 };
 
 /// Particles of a body in cells that it shares.
