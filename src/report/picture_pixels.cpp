@@ -17,7 +17,8 @@ Ends ends_of(const std::vector<double>& points, const std::vector<std::uint32_t>
   return {from[0], from[1], to[0], to[1]};
 }
 
-/// The inside of the closed membrane around each body; empty where there is none.
+/// Where each body is seen: inside the closed membrane around it; a body without one outside of all. Empty if there
+/// are no closed membranes.
 std::vector<Mask> masks_of(const Scene& scene, const MembraneSnapshot& membranes, const Panel& panel) {
   std::vector<Mask> masks(scene.bodies.size());
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
@@ -28,6 +29,13 @@ std::vector<Mask> masks_of(const Scene& scene, const MembraneSnapshot& membranes
     if (scene.membranes[m].closed && !ends.empty() && body != scene.bodies.end())
       masks[static_cast<std::size_t>(body - scene.bodies.begin())] = inside_of(ends, panel.window, panel.pixels);
   }
+  Mask open;
+  for (const Mask& mask : masks) {
+    if (open.empty()) open.assign(mask.size(), true);
+    for (std::size_t pixel = 0; pixel < mask.size(); ++pixel) open[pixel] = open[pixel] && !mask[pixel];
+  }
+  for (Mask& mask : masks)
+    if (mask.empty()) mask = open;
   return masks;
 }
 

@@ -161,10 +161,32 @@ TEST_CASE("Recipe 10: other programs read check, info and the schema as JSON") {
   CHECK(contains(schema.out, "\"$schema\""));
 }
 
-TEST_CASE("The page has ten recipes, as this file has") {
+TEST_CASE("Recipe 11: a bag settles on a bed within a skin, where it hovers without") {
+  const geodrop::TemporaryDirectory directory;
+  const std::string with = directory / "with.toml", without = directory / "without.toml";
+  REQUIRE(run_program({"new", with}).code == 0);
+  std::string scene = geodrop::read_file(with);
+  const std::size_t skin = scene.find("[[membranes]]\nname = \"bed_surface\""), results = scene.find("[[results]]");
+  REQUIRE(skin < results);
+  REQUIRE(results != std::string::npos);
+  scene.erase(skin, results - skin);
+  const std::string shear = "shear = \"none\"\n";
+  scene.insert(scene.find(shear) + shear.size(), "bed = \"bed\"\nbed_friction = 0.5\n");
+  std::ofstream(without) << scene;
+  constexpr double h = 0.25;
+  const auto gap = [&](const std::string& file) {  // the bag begins 0.2 m above its bed
+    const SceneRun run(file, {"grid.spacing=0.25", "bodies.bag.shape.centre=[0.0,0.65]", "time.end=2.0"});
+    REQUIRE(run.outcome().code == 0);
+    return run.column("bag.lowest_m").back();
+  };
+  CHECK(gap(with) < 0.25 * h);     // 0.044 m, and it still sinks
+  CHECK(gap(without) > 0.75 * h);  // 0.198 m, and it does not
+}
+
+TEST_CASE("The page has as many recipes as this file") {
   std::istringstream page(geodrop::read_file(geodrop::source_path("docs/cookbook.md")));
   int recipes = 0;
   for (std::string line; std::getline(page, line);)
     if (std::regex_search(line, std::regex(R"(^\d+\. \*\*)"))) ++recipes;
-  CHECK(recipes == 10);
+  CHECK(recipes == 11);
 }

@@ -1,6 +1,7 @@
 // Pictures of frames: pixels of particles, colours, numbers with few digits, frames read back.
 #include "files/frame_writer.hpp"
 #include "files/read_frames.hpp"
+#include "report/picture_pixels.hpp"
 #include "report/picture_values.hpp"
 #include "report/raster.hpp"
 #include "support/near.hpp"
@@ -115,6 +116,36 @@ TEST_CASE("Soil in a membrane and soil around it differ in colour, layer by laye
     for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(layers.colours[i] == layers.colours[j]);
   REQUIRE(layers.legend.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) CHECK(layers.legend[i].colour == layers.colours[i]);
+}
+
+TEST_CASE("Water around a bag is not seen inside its membrane, where its particles are nearer; a stray is") {
+  Scene scene;
+  scene.dimension = 2;
+  scene.grid.spacing = 4;  // discs of 1.4 m
+  for (const char* name : {"water", "bag"}) {
+    BodySpec body;
+    body.name = name;
+    scene.bodies.push_back(body);
+  }
+  MembraneSpec membrane;
+  membrane.body = "bag";
+  scene.membranes.push_back(membrane);
+  PaintedView painted;
+  Snapshot& frame = painted.view.frame;
+  frame.membranes.points = {2, 2, 0, 6, 2, 0, 6, 6, 0, 2, 6, 0};
+  frame.membranes.connectivity = {0, 1, 1, 2, 2, 3, 3, 0};
+  frame.membranes.membrane = {0, 0, 0, 0};
+  frame.particles.points = {6.2, 4, 0, 5, 4, 0, 3, 3, 0};
+  frame.particles.body = {0, 1, 0};
+  painted.colours = {blue, red, blue};
+  const std::string pixels = pixels_of(scene, painted, {{{0, 0}, {10, 10}}, {100, 100}, 0});
+  const auto is_of = [&](double x, double y, Colour colour) {
+    const std::size_t at = 4 * (static_cast<std::size_t>(y * 10) * 100 + static_cast<std::size_t>(x * 10));
+    return count(pixels.substr(at, 4), colour) == 1;
+  };
+  CHECK(is_of(5.9, 4, red));   // the water is nearer
+  CHECK(is_of(6.1, 4, blue));  // beyond the membrane the bag is not seen
+  CHECK(is_of(3, 3, blue));    // water that got in
 }
 
 TEST_CASE("Values of fields by their names: lengths of vectors, components, numbers") {
