@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The job array of a sweep on a Slurm of one node, set up for the occasion: three cases end, one is stopped by the signal before its
+# The job array of a sweep on a Slurm of one node, set up for the occasion: nineteen cases end, one is stopped by the signal before its
 # time limit, queued again and resumed until it is done, and an array that is cancelled stays so.
 # Called as slurm.sh PROGRAM SCENE. It takes minutes and the Debian packages slurmctld, slurmd, slurm-client and munge, so it is
 # switched on by GEODROP_TEST_SLURM=1.
@@ -116,17 +116,17 @@ cases_end() {
   "$program" run "$scene" --set time.end=4.0 --threads 1 --output probe >/dev/null
   wall=$(sed -nE 's/.*"wall_s": ([0-9.]+).*/\1/p' probe/summary.json)
   # The last one takes 45 s, longer where the machine was busier a moment ago than it is then.
-  ends=1.5,2.0,2.5,$(awk "BEGIN { t = 45 / $wall * 4; printf \"%.1f\", t < 80 ? 80 : t }")
+  ends=$(seq -s, 0.6 0.1 2.4),$(awk "BEGIN { t = 45 / $wall * 4; printf \"%.1f\", t < 80 ? 80 : t }")
 
   sweep many "$ends" --no-run
   job=$(cd many && sbatch --parsable --time=1 --signal=B:USR1@25 array.sbatch)
   wait_for 900 queue_is_empty
-  restarts=$(restarts_of "$job" 4)
+  restarts=$(restarts_of "$job" 20)
   sweep many "$ends" --no-run
-  [[ $(grep -c ',done,0,' many/manifest.csv) == 4 ]] || fail "not all cases are done: $(cat many/manifest.csv)"
+  [[ $(grep -c ',done,0,' many/manifest.csv) == 20 ]] || fail "not all cases are done: $(cat many/manifest.csv)"
   ((restarts > 0)) || fail "the signal before the time limit queued nothing again"
   [[ $(restarts_of "$job" 1) == 0 ]] || fail "a case that was done was queued again"
-  grep -q "resumed at t = " many/case_004/run.log || fail "the case that was queued again began anew"
+  grep -q "resumed at t = " many/case_020/run.log || fail "the case that was queued again began anew"
 
   sweep whole "$ends" --jobs 2
   diff many/manifest.csv whole/manifest.csv || fail "other results than without a queue"

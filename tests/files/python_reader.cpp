@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "support/near.hpp"
+#include "support/not_tested.hpp"
 #include "support/program.hpp"
 #include "support/python.hpp"
 
@@ -34,7 +35,7 @@ void check_run(const SceneRun& run) {
 
 TEST_CASE("Python reads history, results and frames of a run") {
   if (!python_has("numpy")) {
-    MESSAGE("not tested: no " << python << " with numpy");
+    not_tested("no " + python + " with numpy");
     return;
   }
   const std::vector<std::string> coarse{"grid.spacing=0.5", "time.end=0.1"};

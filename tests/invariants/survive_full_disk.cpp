@@ -1,6 +1,7 @@
 // A disk that fills up beside a run: nothing that was computed is lost, and the run goes on once there is room.
 #include <doctest/doctest.h>
 
+#include "support/not_tested.hpp"
 #include "support/survival.hpp"
 
 using namespace geodrop::test;
@@ -20,7 +21,7 @@ TEST_CASE("A disk that is full in the middle of a run: 74, a checkpoint; with ro
   const std::string disk = directory / "disk", out = directory / "out";
   std::filesystem::create_directory(disk);
   if (shell_with_disk(disk, "1m", "true") != 0) {
-    MESSAGE("not tested: no disk of memory can be mounted here");
+    not_tested("no disk of memory can be mounted here");
     return;
   }
   const SceneRun whole(drop, short_drop(), {"--threads", "1"});

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "files/read_frames.hpp"
+#include "support/not_tested.hpp"
 #include "support/program.hpp"
 #include "support/python.hpp"
 #include "support/text.hpp"
@@ -28,7 +29,7 @@ bool there(const std::string& program) {
 
 TEST_CASE("ParaView draws each preset of show_run.py without a display, on one scale, and all frames") {
   if (std::getenv("GEODROP_NO_PARAVIEW") || !there("pvbatch") || !there("xvfb-run")) {
-    MESSAGE("not tested: no pvbatch and xvfb-run, or GEODROP_NO_PARAVIEW");
+    not_tested("no pvbatch and xvfb-run, or GEODROP_NO_PARAVIEW");
     return;
   }
   const SceneRun run("tests/scenes/hanging.toml");
@@ -46,7 +47,7 @@ TEST_CASE("ParaView draws each preset of show_run.py without a display, on one s
   [[maybe_unused]] const int status = std::system(("xvfb-run -a sh '" + draw + "' >'" + said + "' 2>&1").c_str());
   CAPTURE(geodrop::read_file(said));
   if (!fs::exists(drew)) {
-    MESSAGE("not tested: ParaView does not draw a sphere here");
+    not_tested("ParaView does not draw a sphere here");
     return;
   }
   for (const std::string picture : {"layers", "stresses", "pressure", "tension", "utilisation", "range"}) {

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "support/not_tested.hpp"
 #include "support/program.hpp"
 #include "support/python.hpp"
 #include "support/text.hpp"
@@ -53,7 +54,7 @@ print("compared", compared)
 
 TEST_CASE("A VTKHDF file has all arrays of all frames of a run") {
   if (std::getenv("GEODROP_NO_PARAVIEW") || !python_has("h5py, numpy")) {
-    MESSAGE("not tested: no " << python << " with h5py and numpy, or GEODROP_NO_PARAVIEW");
+    not_tested("no " + python + " with h5py and numpy, or GEODROP_NO_PARAVIEW");
     return;
   }
   for (const std::string scene : {"tests/scenes/hanging.toml", "tests/scenes/bag_3d.toml"}) {

@@ -35,7 +35,7 @@ SectionOf<InitialStress> initial_stress_section() {
       R"([[bodies]]
 name = "bed"
 material = "sand"
-shape = { type = "box", lower = [-3.0, -1.0], upper = [3.0, 0.0] }
+shape = { type = "box", lower = [-2.0, -0.5], upper = [2.0, 0.0] }
 initial_stress = { type = "k0", surface = 0.0, k0 = 0.5, under = "fluid", fluid = "water", fluid_surface = 6.0 })", {
       key("type", itself<InitialStress>, {{"zero", ZeroStressSpec{}}, {"hydrostatic", HydrostaticSpec{}}, {"k0", K0StressSpec{}}, {"fluid_pressure", FluidPressureSpec{}}, {"uniform", UniformPressureSpec{}}, {"exact", FromExactSpec{}}}, required, "zero: none; hydrostatic: a still fluid; k0: soil at rest; fluid_pressure: the isotropic pressure of a still fluid around, in drained soil as effective stress; uniform: the same pressure everywhere, in a solid as effective stress; exact: of the solution that the body follows"),
       key("pressure", &UniformPressureSpec::pressure, "Pa", required, any, "compression positive").only("type=uniform"),
