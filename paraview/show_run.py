@@ -161,6 +161,7 @@ def colour_by(display, coloured, view, location):
     legend.Title = field.title
     legend.ComponentTitle = ""
     legend.TitleColor = legend.LabelColor = [0, 0, 0]
+    legend.AddRangeLabels = 0
     legend.WindowLocation = location
     legend.Visibility = 1
 
@@ -272,6 +273,7 @@ def show_axes(view, dimension):
         x, y, z = view.CameraFocalPoint
         grid.UseCustomBounds = 1
         grid.CustomBounds = [x - wide, x + wide, y - tall, y + tall, z, z]
+        grid.AxesToLabel = 3  # below and on the left; the colour bar is on the right
     grid.Visibility = 1
     grid.XTitle, grid.YTitle, grid.ZTitle = "x [m]", "y [m]", "z [m]" if dimension == 3 else ""
     for colour in ("XTitleColor", "YTitleColor", "ZTitleColor", "XLabelColor", "YLabelColor", "ZLabelColor", "GridColor"):
