@@ -65,6 +65,18 @@ TEST_CASE("The main case falls, lies down on the bed and comes to rest with the 
   CHECK(speed.back() < 0.3);
 }
 
+TEST_CASE("A container sinks into a bed with an exact surface, where it hovers above one without") {
+  const auto depth = [](const std::string& scene) {
+    const SceneRun run(scene, {"grid.spacing=0.5", "time.end=5.0", "output.frame_interval=5.0",
+                               "bodies.container.initial_stress.effective_pressure=2000.0"});
+    REQUIRE(run.outcome().code == 0);
+    CHECK(run.result("strays_m2") == 0);
+    return run.result("burial_m");
+  };
+  CHECK(depth("cases/dump_kekerdom_skin.toml") > 0.25);      // 0.36
+  CHECK(depth("cases/dump_kekerdom_undrained.toml") < 0.2);  // 0.12
+}
+
 TEST_CASE("A block leaves its bed without pulling at it, and bounces off it") {
   const SceneRun up("tests/scenes/lift_off.toml", {});
   CHECK(up.result("block_velocity_m_s") == near(0.5, 0.0004));
