@@ -8,6 +8,7 @@
     frame = run.frame(2.5)                          # the nearest in time
     frame.particles["velocity"]                     # (particles, 3) [m/s]
     frame.membranes["tension"]                      # (segments,) [N/m]
+    frame.membranes["connectivity"].reshape(-1, 2)  # nodes of the segments, rows of frame.membranes["points"]; in space (-1, 3)
     frame.particles["points"]                       # (particles, 3) [m]
 
 Needs numpy and nothing else.
@@ -78,8 +79,10 @@ def read_vtk(path):
     arrays = {}
     for element in root.iter("DataArray"):
         if element.get("format") == "binary":
-            name = element.get("Name")
-            arrays["points" if name == "Points" else name] = array_of(element, root)
+            name = "points" if element.get("Name") == "Points" else element.get("Name")
+            values = array_of(element, root)
+            if name not in arrays or values.size > 0:  # a VTP file has connectivities of four kinds of cells, all but one empty
+                arrays[name] = values
     return arrays
 
 

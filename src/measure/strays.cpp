@@ -2,12 +2,30 @@
 
 #include <geodrop/measure/measure.hpp>
 
+#include <algorithm>
+#include <limits>
+
 #include "base/fixed_order_sum.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/polygon_edge.hpp"
 
 namespace geodrop {
 
-double strays_inside(const State<2>& state, const Membrane<2>& membrane, const std::string& pore_water) {
+namespace {
+
+double distance_from(const Membrane<2>& membrane, const Vec<2>& x) {
+  const auto& [mx, my] = membrane.x;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    const std::size_t end = end_of_edge(k, membrane.nodes());
+    least = std::min(least, distance_to(PolygonEdge{mx[k], my[k], mx[end], my[end]}, {x[0], x[1]}));
+  }
+  return least;
+}
+
+}  // namespace
+
+double strays_inside(const State<2>& state, const Membrane<2>& membrane, const std::string& pore_water, double skin) {
   const MembraneMeasures<2> around = measure(membrane);
   double volume = 0;
   for (const Body<2>& body : state.bodies) {
@@ -15,7 +33,8 @@ double strays_inside(const State<2>& state, const Membrane<2>& membrane, const s
     volume += fixed_order_sum<double>(body.size(), [&](double& sum, std::size_t p) {
       const Vec<2> x = vector_at(body.x, p);
       const bool in_box = (x.array() > around.lower.array()).all() && (x.array() < around.upper.array()).all();
-      if (in_box && winding_number(membrane.x[0], membrane.x[1], x) != 0) sum += body.volume(p);
+      if (in_box && winding_number(membrane.x[0], membrane.x[1], x) != 0 && !(distance_from(membrane, x) < skin))
+        sum += body.volume(p);
     });
   }
   return volume;

@@ -8,7 +8,8 @@
 namespace geodrop {
 
 /// Volume of particles of other bodies inside a closed membrane, but for the water in the pores of its own (empty:
-/// none) [m2].
-double strays_inside(const State<2>& state, const Membrane<2>& membrane, const std::string& pore_water);
+/// none) [m2]. Those within `skin` [m] of the membrane do not count: between two membranes that touch, water is a
+/// thousandth of a cell inside one of them.
+double strays_inside(const State<2>& state, const Membrane<2>& membrane, const std::string& pore_water, double skin);
 
 }  // namespace geodrop

@@ -57,9 +57,9 @@ TEST_CASE("Strays count whichever way the nodes of the membrane run") {
   state.bodies[0].name = "pool";
   state.membranes = {square_membrane()};
   Membrane<2>& skin = state.membranes[0];
-  CHECK(strays_inside(state, skin, {}) == near(0.5, 1e-14));
+  CHECK(strays_inside(state, skin, {}, 0.0) == near(0.5, 1e-14));
   for (auto& component : skin.x) std::reverse(component.begin(), component.end());
-  CHECK(strays_inside(state, skin, {}) == near(0.5, 1e-14));
+  CHECK(strays_inside(state, skin, {}, 0.0) == near(0.5, 1e-14));
   state.bodies[0].field = waiting;
-  CHECK(strays_inside(state, skin, {}) == 0);
+  CHECK(strays_inside(state, skin, {}, 0.0) == 0);
 }

@@ -31,9 +31,10 @@ State<2> water_at(const std::vector<std::array<double, 2>>& places, const std::v
 
 TEST_CASE("Water inside a membrane is counted by its volume, its own body is not") {
   State<2> state = water_at({{4.0, 4.0}, {4.9, 4.9}, {5.1, 4.0}, {0.0, 0.0}}, {1, 1, 1, 1});
-  CHECK(strays_inside(state, state.membranes[0], {}) == near(1.0, 1e-12));  // two of 0.5 m2
+  CHECK(strays_inside(state, state.membranes[0], {}, 0.0) == near(1.0, 1e-12));  // two of 0.5 m2
+  CHECK(strays_inside(state, state.membranes[0], {}, 0.2) == near(0.5, 1e-12));  // (4.9, 4.9) is 0.1 m inside
   state.membranes[0].body = "pool";
-  CHECK(strays_inside(state, state.membranes[0], {}) == 0);
+  CHECK(strays_inside(state, state.membranes[0], {}, 0.0) == 0);
 }
 
 TEST_CASE("Pressure pushes a membrane inwards, whichever way its nodes run, and friction drags it along") {
