@@ -77,7 +77,7 @@ double finest_spacing(const GridSpec& grid, std::size_t axis) {
 /// Fewer cells give the shape of the grid, not that of the membrane.
 std::string coarse_content_doubt(const Scene& scene, const BodySpec& body) {
   constexpr double least_cells = 4, chords = 0.02;  // by which a surface of triangles lies within its ellipsoid
-  if (!is_enclosed(scene, body)) return {};
+  if (!in_geotextile(scene, body)) return {};
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   for (std::size_t axis = box.lower.size(); axis-- > 0;) {  // the height first
     const double extent = box.upper[axis] - box.lower[axis], cells = extent / finest_spacing(scene.grid, axis);

@@ -22,7 +22,7 @@ bool has(const CsvTable& table, const std::string& column) {
 bool is_bed(const Scene& scene, const std::string& bed, const BodySpec& body) {
   if (!bed.empty()) return body.name == bed;
   const MaterialSpec* const material = find_or_null(scene.materials, body.material);
-  return material && !std::holds_alternative<NewtonianSpec>(material->model) && !is_enclosed(scene, body);
+  return material && !std::holds_alternative<NewtonianSpec>(material->model) && !in_geotextile(scene, body);
 }
 
 /// The upper end of a body in the column at x, below what is cut out of its top.

@@ -77,7 +77,7 @@ std::vector<Base> colours_of_bodies(const Scene& scene) {
     else if (is_fluid(material))
       colours.push_back(palette.next_water());
     else if (is_soil(material))
-      colours.push_back(is_enclosed(scene, body) ? palette.next_fill() : palette.next_ground());
+      colours.push_back(in_geotextile(scene, body) ? palette.next_fill() : palette.next_ground());
     else
       colours.push_back(palette.next_other());
   }

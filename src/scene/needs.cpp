@@ -69,9 +69,22 @@ std::string body_inside(const Scene& scene, const MembraneSpec& membrane) {
   return "";
 }
 
+namespace {
+
+bool encloses(const Scene& scene, const MembraneSpec& membrane, const BodySpec& body) {
+  return (scene.dimension == 3 || membrane.closed) && body_inside(scene, membrane) == body.name;
+}
+
+}  // namespace
+
 bool is_enclosed(const Scene& scene, const BodySpec& body) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(),
+                     [&](const MembraneSpec& membrane) { return encloses(scene, membrane, body); });
+}
+
+bool in_geotextile(const Scene& scene, const BodySpec& body) {
   return std::any_of(scene.membranes.begin(), scene.membranes.end(), [&](const MembraneSpec& membrane) {
-    return (scene.dimension == 3 || membrane.closed) && body_inside(scene, membrane) == body.name;
+    return membrane.axial_stiffness > 0 && encloses(scene, membrane, body);
   });
 }
 

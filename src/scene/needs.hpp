@@ -33,6 +33,9 @@ std::string body_inside(const Scene& scene, const MembraneSpec& membrane);
 /// Whether a closed membrane lies around a body.
 bool is_enclosed(const Scene& scene, const BodySpec& body);
 
+/// Whether one that bears tension does: a skin only marks a surface, as that of a bed.
+bool in_geotextile(const Scene& scene, const BodySpec& body);
+
 /// Whether a body is inside a membrane with a sharp interface.
 bool in_sharp_membrane(const Scene& scene, const std::string& body);
 

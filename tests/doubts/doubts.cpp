@@ -130,6 +130,10 @@ TEST_CASE("A body within a membrane has four cells across") {
       "2.54 cells wide: a body within a membrane has to have at least four; take a finer zone of grid.refine"));
   CHECK(contains(joined({"bodies.container.shape.semi_axes=[0.6, 0.45]"}, "cases/dump_kekerdom_mixture.toml"),
                  "3.6 cells high"));
+  // The bed of dump_kekerdom_skin.toml is one cell deep, in a skin only.
+  CHECK_FALSE(
+      contains(joined({"grid.spacing=0.5", "bodies.bed.shape.lower=[-8.0,-0.5]"}, "cases/dump_kekerdom_skin.toml"),
+               "bodies.bed is"));
 }
 
 TEST_CASE("The spacing that the doubt about shift advises is accepted, and raises it no more") {

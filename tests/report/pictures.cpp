@@ -106,6 +106,10 @@ TEST_CASE("Soil in a membrane and soil around it differ in colour, layer by laye
   }
   MembraneSpec membrane;
   membrane.body = "bag";
+  membrane.axial_stiffness = 1;
+  scene.membranes.push_back(membrane);
+  membrane.body = "bed";  // a skin makes no fill of a bed
+  membrane.axial_stiffness = 0;
   scene.membranes.push_back(membrane);
   ParticleSnapshot particles;
   particles.body = {0, 0, 1, 1};

@@ -19,6 +19,7 @@ Scene scene_with_bag(double strength) {
   MembraneSpec membrane;
   membrane.name = "cloth";
   membrane.body = "bag";
+  membrane.axial_stiffness = 1e6;
   membrane.strength = strength;
   scene.membranes.push_back(membrane);
   return scene;
