@@ -14,7 +14,7 @@ namespace geodrop {
 namespace {
 
 const std::vector<double>& column_of(const CsvTable& table, const std::string& name) {
-  if (std::ranges::find(table.names, name) != table.names.end()) return table.column(name);
+  if (table.has(name)) return table.column(name);
   const std::string nearest = nearest_name(name, table.names);
   throw SceneError(table.file,
                    {{{},

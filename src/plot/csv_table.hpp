@@ -1,6 +1,7 @@
 // A table of numbers as the program writes them: a header of names, then rows.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ struct CsvTable {
   std::vector<std::vector<double>> columns;  ///< as many as names, all of one length
 
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  bool has(const std::string& name) const { return std::ranges::find(names, name) != names.end(); }
   /// Throws SceneError if there is no such column.
   const std::vector<double>& column(const std::string& name) const;
   std::string file = {};  ///< for messages

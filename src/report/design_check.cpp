@@ -15,10 +15,6 @@ std::vector<const char*> axes_of(const Scene& scene) {
   return scene.dimension == 2 ? std::vector{"x", "y"} : std::vector{"x", "y", "z"};
 }
 
-bool has(const CsvTable& table, const std::string& column) {
-  return std::ranges::find(table.names, column) != table.names.end();
-}
-
 bool is_bed(const Scene& scene, const std::string& bed, const BodySpec& body) {
   if (!bed.empty()) return body.name == bed;
   const MaterialSpec* const material = find_or_null(scene.materials, body.material);
@@ -51,7 +47,7 @@ std::vector<PeakTension> peak_tensions(const Scene& scene, const CsvTable& histo
   std::vector<PeakTension> peaks;
   for (const MembraneSpec& membrane : scene.membranes) {
     const std::string column = membrane.name + ".tension_gauge";
-    if (!has(history, column + "_N_m") || !has(history, column + "_time_s")) continue;
+    if (!history.has(column + "_N_m") || !history.has(column + "_time_s")) continue;
     const std::vector<double>& tension = history.column(column + "_N_m");
     const auto largest =
         std::ranges::max_element(tension, {}, [](double value) { return std::isnan(value) ? 0 : value; });
@@ -74,7 +70,7 @@ std::vector<RestingPlace> resting_places(const Scene& scene, const CsvTable& his
   std::vector<RestingPlace> places;
   for (const MembraneSpec& membrane : scene.membranes) {
     const std::string body = body_inside(scene, membrane);
-    if ((scene.dimension == 2 && !membrane.closed) || !has(history, body + ".height_m")) continue;
+    if ((scene.dimension == 2 && !membrane.closed) || !history.has(body + ".height_m")) continue;
     if (std::ranges::find(places, body, &RestingPlace::body) != places.end()) continue;
     const auto last = [&](const std::string& ending) { return history.column(body + ending).back(); };
     RestingPlace place;

@@ -252,7 +252,7 @@ std::optional<ValueRange> tensions_of_run(const Source& source) {
   double largest = 0;
   for (const MembraneSpec& membrane : source.scene.membranes) {
     const std::string column = membrane.name + ".tension_max_N_m";
-    if (std::ranges::find(source.history.names, column) == source.history.names.end()) continue;
+    if (!source.history.has(column)) continue;
     for (const double tension : source.history.column(column))
       if (std::isfinite(tension)) largest = std::max(largest, tension);
   }
