@@ -19,7 +19,7 @@ template <int Dim>
 Row<Dim> eddy_length_row(const Scene& scene) {
   return {"eddy_length", Data::position | Data::membranes | Data::membrane_position, Data::material_state,
           any_mixing_length(scene),
-          [outlines = NearOutlines()](State<Dim>& s, const Grids<Dim>& f, const StepContext&) mutable {
+          [outlines = NearOutlines<Dim>()](State<Dim>& s, const Grids<Dim>& f, const StepContext&) mutable {
             limit_eddies(f.front().layout, outlines, s);
           }};
 }

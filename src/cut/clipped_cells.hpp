@@ -32,6 +32,11 @@ inline int flat_of(const GridLayout<3>& layout, const ClippedCells& cells, int c
   return cells.first[0] + i + (cells.first[1] + j) * layout.stride[1] + (cells.first[2] + k) * layout.stride[2];
 }
 
+/// The local cell at n of the 27 around one that the surface cuts, x fastest; all are in the box.
+inline int local_around(const ClippedCells& cells, int cell, int n) {
+  return cell + n % 3 - 1 + cells.count[0] * (n / 3 % 3 - 1 + cells.count[1] * (n / 9 - 1));
+}
+
 /// Coefficients of 1, z, z^2 of the splines of the nodes below, at and above a cell; z from -1/2 to 1/2.
 inline constexpr double spline_powers[3][3] = {{0.125, -0.5, 0.5}, {0.75, 0, -1}, {0.125, 0.5, 0.5}};
 

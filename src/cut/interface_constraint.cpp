@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -80,9 +81,26 @@ class ContactRows {
   std::vector<Row> list_;
 };
 
-/// -p t acts on the membrane, t with the nodes if they run anticlockwise.
-double sense_along(const CutCells& cells) { return -cells.sense; }
-double sense_along(const ClippedSurface&) { return 1; }
+/// What the rows along a membrane say.
+template <int Dim>
+constexpr auto tangents() {
+  if constexpr (Dim == 2)
+    return std::array{Says::tangent};
+  else
+    return std::array{Says::tangent, Says::second_tangent};
+}
+
+/// The row along an outline, from the one normal to it. In space what of it faces the mean normal of the stretch, made
+/// as large as the area.
+RawRow<2> along(const Contact<2>&, Says, const RawRow<2>& normal) { return along(normal); }
+RawRow<3> along(const Contact<3>& contact, Says says, RawRow<3> normal) {
+  const std::array<double, 3>&axis = contact.axes[0], &way = contact.axes[says == Says::tangent ? 1 : 2];
+  for (auto& entry : normal.entries) {
+    const double part = axis[0] * entry.value[0] + axis[1] * entry.value[1] + axis[2] * entry.value[2];
+    for (std::size_t a = 0; a < 3; ++a) entry.value[a] = part * way[a];
+  }
+  return normal;
+}
 
 /// Adds up the tractions of rows on the segments or triangles of membranes.
 template <int Dim>
@@ -93,17 +111,12 @@ void store(ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const Grids<
     const Says says = rows.list()[r].says;
     Membrane<Dim>& membrane = *contacts[c].membrane;
     const Outline<Dim>& cells = grids[membrane.field].outline;
-    const bool along = says == Says::tangent;
-    if (says == Says::normal) contacts[c].pressure = traction[static_cast<Eigen::Index>(r)];
-    Array<double>& target = traction_of(membrane, says);
-    const double sign = along ? sense_along(cells) : 1;
+    const double of_row = traction[static_cast<Eigen::Index>(r)];
+    if (says == Says::normal) contacts[c].pressure = of_row;
     for_each_share(cells, contacts[c].stretch, [&](std::size_t at, double share) {
-      const double part = sign * share * traction[static_cast<Eigen::Index>(r)];
-      target[at] += part;
-      if (along && contacts[c].on_bed) membrane.bed_shear[at] += part;
+      add_traction(contacts[c], cells, says, at, share * of_row);
       if (says == Says::through && !contacts[c].on_bed)
-        membrane.seepage[at] +=
-            share * membrane.permeance * (traction[static_cast<Eigen::Index>(r)] - contacts[c].pressure);
+        membrane.seepage[at] += share * membrane.permeance * (of_row - contacts[c].pressure);
     });
   }
 }
@@ -185,16 +198,23 @@ void let_through(const ContactRows<Dim>& rows, const std::vector<Contact<Dim>>& 
   }
 }
 
+template <int Dim>
+std::vector<const Array<double>*> tractions_of(const Membrane<Dim>& membrane) {
+  std::vector<const Array<double>*> out{&membrane.water_pressure, &membrane.water_shear, &membrane.pore_pressure};
+  if constexpr (Dim == 3)
+    for (const Array<double>& component : membrane.triangles.water_shear) out.push_back(&component);
+  return out;
+}
+
 /// Throws where a traction on a sharp membrane is not finite: what is broken moves all that touches it at the next
 /// step.
 template <int Dim>
-void check_tractions(State<Dim>& state) {
-  for (Membrane<Dim>& membrane : state.membranes)
-    for (const Says says : {Says::normal, Says::tangent, Says::through}) {
-      const Array<double>& traction = traction_of(membrane, says);
-      const auto broken = std::find_if(traction.begin(), traction.end(), [](double t) { return !std::isfinite(t); });
-      if (!membrane.sharp || broken == traction.end()) continue;
-      auto at = static_cast<std::size_t>(broken - traction.begin());
+void check_tractions(const State<Dim>& state) {
+  for (const Membrane<Dim>& membrane : state.membranes)
+    for (const Array<double>* traction : tractions_of(membrane)) {
+      const auto broken = std::find_if(traction->begin(), traction->end(), [](double t) { return !std::isfinite(t); });
+      if (!membrane.sharp || broken == traction->end()) continue;
+      auto at = static_cast<std::size_t>(broken - traction->begin());
       if constexpr (Dim == 3) at = membrane.triangles.corner[0][at];
       std::string place;
       for (const Array<double>& x : membrane.x) place += fmt::format(" {:g}", x[at]);
@@ -241,8 +261,8 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
     contacts[c].joined = rows.add(said[c].normal, c, Says::normal);
     if (!contacts[c].joined) continue;
     if (!contacts[c].membrane->pore_pressure.empty()) rows.add(said[c].through, c, Says::through);
-    if constexpr (Dim == 2)
-      if (contacts[c].sticks()) rows.add(along(said[c].normal), c, Says::tangent);
+    if (contacts[c].sticks())
+      for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
   }
   for (const AnchorRow<Dim>& anchor : held) rows.rows().add(anchor.row);
   const auto [last, only_pushes] = guess(rows, joint, grids);
@@ -259,46 +279,79 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   return converged;
 }
 
-/// Tractions that stop the slip of rows, each at most `most`: projected Gauss-Seidel from a guess.
-Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_rate, const Eigen::VectorXd& most,
+/// Tractions along a membrane at one stretch, no larger together than `most`.
+void limit(double most, Eigen::Ref<Eigen::VectorXd> traction) {
+  if (traction.size() == 1)
+    traction[0] = std::clamp(traction[0], -most, most);
+  else if (const double size = traction.norm(); size > most)
+    traction *= most / size;
+}
+
+/// Tractions that stop the slip of rows, those of each stretch (Dim - 1 rows) together at most `most`: projected
+/// Gauss-Seidel from a guess.
+template <int Dim>
+Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_rate, const std::vector<double>& most,
                               Eigen::VectorXd traction) {
   constexpr int most_sweeps = 200;
   constexpr double tolerance = 1e-6;  // of the largest traction
+  constexpr Eigen::Index ways = Dim - 1;
+  Eigen::Matrix<double, ways, 1> before;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0;
-    for (Eigen::Index r = 0; r < S.rows(); ++r) {
-      double held = 0, diagonal = 1;
-      for (SparseRows::InnerIterator entry(S, r); entry; ++entry) {
-        held += entry.value() * traction[entry.col()];
-        if (entry.col() == r) diagonal = entry.value();
+    for (Eigen::Index first = 0; first < S.rows(); first += ways) {
+      before = traction.template segment<ways>(first);
+      for (Eigen::Index r = first; r < first + ways; ++r) {
+        double held = 0, diagonal = 1;
+        for (SparseRows::InnerIterator entry(S, r); entry; ++entry) {
+          held += entry.value() * traction[entry.col()];
+          if (entry.col() == r) diagonal = entry.value();
+        }
+        traction[r] += (slip_rate[r] - held) / diagonal;
       }
-      const double before = traction[r];
-      traction[r] = std::clamp(before + (slip_rate[r] - held) / diagonal, -most[r], most[r]);
-      change = std::max(change, std::abs(traction[r] - before));
+      limit(most[static_cast<std::size_t>(first / ways)], traction.segment(first, ways));
+      change = std::max(change, (traction.template segment<ways>(first) - before).cwiseAbs().maxCoeff());
     }
     if (change <= tolerance * traction.cwiseAbs().maxCoeff()) break;
   }
   return traction;
 }
 
+/// Tractions along the membrane at each contact, before they are forgotten.
+template <int Dim>
+std::vector<std::array<double, Dim - 1>> tractions_along(const std::vector<Contact<Dim>>& contacts,
+                                                         const Grids<Dim>& grids) {
+  std::vector<std::array<double, Dim - 1>> out(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts[c].rubs())
+      for (std::size_t k = 0; k < Dim - 1; ++k)
+        out[c][k] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, tangents<Dim>()[k]);
+  return out;
+}
+
 /// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
 /// bed, what the soil inside takes where water would stick, or what the wall law says in fluid.
-void rub(double dt, const std::vector<RowsOfContact<2>>& said, std::vector<Contact<2>>& contacts, Grids<2>& grids,
-         const std::vector<double>& last) {
-  ContactRows<2> rows(grids);
+template <int Dim>
+void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Contact<Dim>>& contacts, Grids<Dim>& grids,
+         const std::vector<std::array<double, Dim - 1>>& last) {
+  constexpr std::size_t ways = Dim - 1;
+  ContactRows<Dim> rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].joined && contacts[c].rubs()) rows.add(along(said[c].normal), c, Says::tangent);
+    if (contacts[c].joined && contacts[c].rubs())
+      for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
   if (rows.list().empty()) return;
   SparseRows T;
   const auto [S, slip_rate] = system_of(rows, T, dt);
   const Eigen::VectorXd slip = dt * slip_rate;
-  Eigen::VectorXd guess(S.rows()), most(S.rows());
-  for (Eigen::Index r = 0; r < S.rows(); ++r) {
-    const std::size_t c = rows.list()[static_cast<std::size_t>(r)].contact;
-    most[r] = contacts[c].most_friction(slip[r]);
-    guess[r] = std::clamp(last[c], -most[r], most[r]);
+  Eigen::VectorXd guess(S.rows());
+  std::vector<double> most(rows.list().size() / ways);
+  for (std::size_t k = 0; k < most.size(); ++k) {
+    const auto first = static_cast<Eigen::Index>(ways * k);
+    const std::size_t c = rows.list()[ways * k].contact;
+    most[k] = contacts[c].most_friction(slip.segment(first, ways).norm());
+    for (std::size_t way = 0; way < ways; ++way) guess[first + static_cast<Eigen::Index>(way)] = last[c][way];
+    limit(most[k], guess.segment(first, ways));
   }
-  const Eigen::VectorXd traction = solve_limited(S, slip_rate, most, guess);
+  const Eigen::VectorXd traction = solve_limited<Dim>(S, slip_rate, most, guess);
   apply_pressures(rows.rows(), T, traction, dt, grids);
   store(rows, traction, grids, contacts);
 }
@@ -320,13 +373,10 @@ void count_solution(bool converged, double t, ConstraintWatch& watch) {
 template <int Dim>
 void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
   Joint<Dim> joint{find_contacts(state, grids), {}, anchor_rows(state, grids)};
-  std::vector<double> last;  // tractions along the membrane, before they are forgotten
-  if constexpr (Dim == 2)
-    for (const Contact<2>& contact : joint.contacts)
-      last.push_back(last_traction(contact, grids[contact.membrane->field].outline, Says::tangent));
+  const auto last = tractions_along(joint.contacts, grids);
   joint.said = rows_of(grids, joint.contacts);
   count_solution(join(dt, joint, grids), state.t, state.constraint_watch);
-  if constexpr (Dim == 2) rub(dt, joint.said, joint.contacts, grids, last);
+  rub(dt, joint.said, joint.contacts, grids, last);
   check_tractions(state);
   for (Grid<Dim>& grid : grids) impose_wall_velocity(grid);
 }

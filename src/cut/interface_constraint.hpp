@@ -14,7 +14,7 @@
 // Where the fluid sticks to the membrane (Shear::no_slip) a second row for each stretch says the same of the velocities
 // along it. Otherwise friction follows: at most mu (p_r - u_r) on a bed, if the membrane names one, u_r the pressure of
 // the water in its pores; at most 1/2 rho C_f u^2 in fluid that slips with the velocity u (Shear::wall_law).
-// In space the fluid slips freely, and there is no bed.
+// In space two rows stand for the directions along each stretch, and their tractions are limited together.
 // The membrane does not part from a fluid. From a bed it does rather than pull: p_r >= 0 there, with a gap that only
 // opens where p_r = 0. Anchors are rows of the same system, see anchor_rows.
 #pragma once

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cells_around.hpp"
+#include "clipped_cells.hpp"
 #include "cut_cells.hpp"
 #include "grid/point_support.hpp"
 #include "membrane/outline.hpp"
@@ -36,12 +37,13 @@ struct BedCells {
   Array<double> volume, pore;
 };
 
-BedCells bed_around(const State<2>& state, const GridLayout<2>& layout, const Membrane<2>& membrane,
-                    const CutCells& cells) {
+template <int Dim>
+BedCells bed_around(const State<Dim>& state, const GridLayout<Dim>& layout, const Membrane<Dim>& membrane,
+                    const Outline<Dim>& cells) {
   BedCells out{Array<double>(cells.size(), 0.0), Array<double>(cells.size(), 0.0)};
-  const Body<2>& bed = find_named(state.bodies, membrane.bed);
+  const Body<Dim>& bed = find_named(state.bodies, membrane.bed);
   for (std::size_t p = 0; p < bed.size(); ++p) {
-    const int cell = local_cell(layout, cells, bed.x[0][p], bed.x[1][p]);
+    const int cell = local_cell(layout, cells, vector_at(bed.x, p));
     if (cell < 0) continue;
     const double volume = bed.volume(p);
     out.volume[cell] += volume;
@@ -50,12 +52,23 @@ BedCells bed_around(const State<2>& state, const GridLayout<2>& layout, const Me
   return out;
 }
 
+/// f(local cell) for each piece of a stretch; in space for each flank.
+template <class F>
+void for_each_cell_of(const CutCells& cells, const Stretch& stretch, F&& f) {
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) { f(piece.cell); });
+}
+template <class F>
+void for_each_cell_of(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
+  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) f(cells.flanks[k].cell);
+}
+
 /// Whether a stretch lies on the bed: most of what is in the cells around it.
-void look_for_bed(const Grid<2>& around, const CutCells& cells, const BedCells& bed, Contact<2>& contact) {
+template <int Dim>
+void look_for_bed(const Grid<Dim>& around, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
   double soil = 0, pore = 0, all = 0;
-  for_each_piece(cells, contact.stretch, [&](const CutCells::Piece& piece) {
-    for (int n = 0; n < 9; ++n) {
-      const int local = local_around(cells, piece.cell, n);
+  for_each_cell_of(cells, contact.stretch, [&](int cell) {
+    for (int n = 0; n < nodes_around<Dim>; ++n) {
+      const int local = local_around(cells, cell, n);
       soil += bed.volume[local];
       pore += bed.pore[local];
       all += around.cell_volume[flat_of(around.layout, cells, local)];
@@ -66,80 +79,179 @@ void look_for_bed(const Grid<2>& around, const CutCells& cells, const BedCells& 
 }
 
 /// Velocity of a field at a place by its nodes that have mass; empty where most of the splines are of others.
-std::optional<Vec4> velocity_at(const Grid<2>& grid, double x, double y) {
-  const GridLayout<2>& layout = grid.layout;
-  const std::array<double, 2> place{x, y};
-  for (int a = 0; a < 2; ++a)
+template <int Dim>
+std::optional<Vec<Dim>> velocity_at(const Grid<Dim>& grid, const Vec<Dim>& x) {
+  const GridLayout<Dim>& layout = grid.layout;
+  std::array<double, Dim> place;
+  for (int a = 0; a < Dim; ++a) {
+    place[a] = x[a];
     if (!layout.periodic(a) && !(place[a] >= layout.lower[a] && place[a] <= layout.upper[a])) return {};
+  }
   Vec4 sum{};
   double weights = 0;
-  PointSupport<2>(layout, place, 0).for_each_node(layout, [&](int node, double weight) {
+  PointSupport<Dim>(layout, place, 0).for_each_node(layout, [&](int node, double weight) {
     if (!(grid.sum[node][3] > 0)) return;
     sum += weight * grid.velocity[node];
     weights += weight;
   });
   if (weights < 0.5) return {};
-  return sum / weights;
+  sum /= weights;
+  Vec<Dim> velocity;
+  for (int a = 0; a < Dim; ++a) velocity[a] = sum[a];
+  return velocity;
 }
 
-/// The velocity of slipping beyond the layer of 1.5 to 2 cells beside the membrane, which the grid slows down: with
-/// that at the membrane the friction of a flat plate came out as half of what it is.
-void look_outside(const Grids<2>& grids, const CutCells& cells, Contact<2>& contact) {
-  constexpr double cells_away = 1.75;
-  const Membrane<2>& membrane = *contact.membrane;
-  const GridLayout<2>& layout = grids.front().layout;
-  std::array<double, 2> middle{}, normal{};
-  double width = std::numeric_limits<double>::infinity();
-  for_each_piece(cells, contact.stretch, [&](const CutCells::Piece& piece) {
+/// The middle of a stretch, its outward normal as long as it is large, and the least width of its cells [m].
+template <int Dim>
+struct Facing {
+  Vec<Dim> middle, normal;
+  double width;
+};
+
+Facing<2> facing(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                 const Stretch& stretch) {
+  Facing<2> out{Vec<2>::Zero(), Vec<2>::Zero(), std::numeric_limits<double>::infinity()};
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
     const std::size_t from = piece.edge, to = end_of_edge(from, membrane.nodes());
     const double share = 0.5 * (piece.from + piece.to), length = length_of(membrane, piece);
     std::array<double, 2> way;
     for (int a = 0; a < 2; ++a) {
       way[a] = (piece.to - piece.from) * (membrane.x[a][to] - membrane.x[a][from]);
-      middle[a] += length * (membrane.x[a][from] + share * (membrane.x[a][to] - membrane.x[a][from]));
+      out.middle[a] += length * (membrane.x[a][from] + share * (membrane.x[a][to] - membrane.x[a][from]));
     }
-    normal[0] += cells.sense * way[1];
-    normal[1] -= cells.sense * way[0];
-    width = std::min(width, least_width(layout, flat_of(layout, cells, piece.cell)));
+    out.normal[0] += cells.sense * way[1];
+    out.normal[1] -= cells.sense * way[0];
+    out.width = std::min(out.width, least_width(layout, flat_of(layout, cells, piece.cell)));
   });
-  contact.distance = 0.5 * width;
-  const double size = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1]);
+  if (stretch.size > 0)
+    for (int a = 0; a < 2; ++a) out.middle[a] /= stretch.size;
+  return out;
+}
+
+Facing<3> facing(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedSurface& cells,
+                 const Stretch& stretch) {
+  Facing<3> out{Vec<3>::Zero(), Vec<3>::Zero(), layout.h};
+  double area = 0;
+  for_each_piece(cells, stretch, [&](const ClippedCells::Piece& piece) {
+    const double size = size_of(membrane, piece.triangle);
+    for (int k = 0; k < 3; ++k) {
+      const double part = size * piece.share[static_cast<std::size_t>(k)];
+      out.middle +=
+          part * vector_at(membrane.x, membrane.triangles.corner[static_cast<std::size_t>(k)][piece.triangle]);
+      area += part;
+    }
+  });
+  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k)
+    for (int a = 0; a < 3; ++a)
+      out.normal[a] += layout.h * layout.h * cells.flanks[k].normal[static_cast<std::size_t>(a)];
+  if (area > 0) out.middle /= area;
+  return out;
+}
+
+/// What of a velocity is along a membrane with the unit normal n.
+double size_along(const Vec<2>& velocity, const Vec<2>& n) { return std::abs(velocity[1] * n[0] - velocity[0] * n[1]); }
+double size_along(const Vec<3>& velocity, const Vec<3>& n) { return (velocity - velocity.dot(n) * n).norm(); }
+
+/// The velocity of slipping beyond the layer of 1.5 to 2 cells beside the membrane, which the grid slows down: with
+/// that at the membrane the friction of a flat plate came out as half of what it is.
+template <int Dim>
+void look_outside(const Grids<Dim>& grids, const Facing<Dim>& facing, Contact<Dim>& contact) {
+  constexpr double cells_away = 1.75;
+  contact.distance = 0.5 * facing.width;
+  const double size = std::sqrt(facing.normal.squaredNorm());
   if (!(size > 0 && contact.stretch.size > 0)) return;
-  for (int a = 0; a < 2; ++a) middle[a] /= contact.stretch.size, normal[a] /= size;
-  const double away = cells_away * width;
-  const auto water = velocity_at(grids.front(), middle[0] + away * normal[0], middle[1] + away * normal[1]);
-  const auto own = velocity_at(grids[membrane.field], middle[0], middle[1]);
+  const Vec<Dim> normal = facing.normal / size;
+  const double away = cells_away * facing.width;
+  const auto water = velocity_at<Dim>(grids.front(), facing.middle + away * normal);
+  const auto own = velocity_at<Dim>(grids[contact.membrane->field], facing.middle);
   if (!water || !own) return;
-  const Vec4 slip = *water - *own;
-  contact.velocity = std::abs(slip[1] * normal[0] - slip[0] * normal[1]);
+  contact.velocity = size_along(Vec<Dim>(*water - *own), normal);
   contact.distance = away;
 }
 
-/// What is beside a stretch in the plane.
-void look_beside(const Grids<2>& grids, const CutCells& cells, const BedCells& bed, Contact<2>& contact) {
-  const Membrane<2>& membrane = *contact.membrane;
+/// The axes of a stretch in space; the first along it is square to the axis of the grid that it faces least.
+void set_axes(const Facing<3>& facing, Contact<3>& contact) {
+  constexpr double least_projection = 0.5;  // of the area: what is bent more has no direction
+  const double size = contact.stretch.size, projected = facing.normal.norm();
+  const Vec<3> normal = facing.normal.normalized();
+  Eigen::Index least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vec<3> first = normal.cross(Vec<3>::Unit(least)).normalized(), second = normal.cross(first);
+  const Vec<3> enlarged = size / std::max(projected, least_projection * size) * normal;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto k = static_cast<Eigen::Index>(a);
+    contact.axes[0][a] = enlarged[k], contact.axes[1][a] = first[k], contact.axes[2][a] = second[k];
+  }
+}
+void set_axes(const Facing<2>&, Contact<2>&) {}
+
+/// The effective pressure of soil inside that a membrane in the plane slides over.
+void look_inside(const CutCells& cells, Contact<2>& contact) {
+  if (contact.over_soil()) contact.inside = pressure_inside(*contact.membrane, cells, contact.stretch);
+}
+void look_inside(const ClippedSurface&, Contact<3>&) {}
+
+/// What is beside a stretch.
+template <int Dim>
+void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
+  const Membrane<Dim>& membrane = *contact.membrane;
   if (!membrane.bed.empty()) look_for_bed(grids.front(), cells, bed, contact);
-  if (membrane.shear == Shear::rough_wall) look_outside(grids, cells, contact);
-  if (contact.over_soil()) contact.inside = pressure_inside(membrane, cells, contact.stretch);
+  if (contact.rubs() || contact.sticks()) {
+    const Facing<Dim> faces = facing(grids.front().layout, membrane, cells, contact.stretch);
+    if (membrane.shear == Shear::rough_wall) look_outside(grids, faces, contact);
+    set_axes(faces, contact);
+  }
+  look_inside(cells, contact);
 }
 
 }  // namespace
 
 template <int Dim>
 Array<double>& traction_of(Membrane<Dim>& membrane, Says says) {
-  if (says == Says::through) return membrane.pore_pressure;
-  return says == Says::normal ? membrane.water_pressure : membrane.water_shear;
+  return says == Says::through ? membrane.pore_pressure : membrane.water_pressure;
 }
+
+/// -p t acts on the membrane, t with the nodes if they run anticlockwise.
+void add_traction(const Contact<2>& contact, const CutCells& cells, Says says, std::size_t segment, double traction) {
+  Membrane<2>& membrane = *contact.membrane;
+  if (says != Says::tangent) {
+    traction_of(membrane, says)[segment] += traction;
+    return;
+  }
+  membrane.water_shear[segment] += -cells.sense * traction;
+  if (contact.on_bed) membrane.bed_shear[segment] += -cells.sense * traction;
+}
+
+void add_traction(const Contact<3>& contact, const ClippedSurface&, Says says, std::size_t triangle, double traction) {
+  Membrane<3>& membrane = *contact.membrane;
+  if (says == Says::normal || says == Says::through) {
+    traction_of(membrane, says)[triangle] += traction;
+    return;
+  }
+  const std::array<double, 3>& along = contact.axes[says == Says::tangent ? 1 : 2];
+  for (std::size_t a = 0; a < 3; ++a) membrane.triangles.water_shear[a][triangle] -= traction * along[a];
+}
+
+namespace {
+
+double traction_at(const Contact<2>& contact, const CutCells& cells, Says says, std::size_t segment) {
+  return says == Says::tangent ? -cells.sense * contact.membrane->water_shear[segment]
+                               : traction_of(*contact.membrane, says)[segment];
+}
+double traction_at(const Contact<3>& contact, const ClippedSurface&, Says says, std::size_t triangle) {
+  if (says == Says::normal || says == Says::through) return traction_of(*contact.membrane, says)[triangle];
+  const Vec<3> along(contact.axes[says == Says::tangent ? 1 : 2].data());
+  return -vector_at(contact.membrane->triangles.water_shear, triangle).dot(along);
+}
+
+}  // namespace
 
 template <int Dim>
 double last_traction(const Contact<Dim>& contact, const Outline<Dim>& cells, Says says) {
-  const Array<double>& traction = traction_of(*contact.membrane, says);
   double sum = 0;
   for_each_share(cells, contact.stretch, [&](std::size_t part, double share) {
-    sum += traction[part] * (share * size_of(*contact.membrane, part));
+    sum += traction_at(contact, cells, says, part) * (share * size_of(*contact.membrane, part));
   });
-  if constexpr (Dim == 2)
-    if (says == Says::tangent) sum *= -cells.sense;
   return contact.stretch.size > 0 ? sum / contact.stretch.size : 0;
 }
 
@@ -148,6 +260,8 @@ void forget_tractions(Membrane<Dim>& membrane) {
   for (Array<double>* traction : {&membrane.water_pressure, &membrane.water_shear, &membrane.bed_shear,
                                   &membrane.pore_pressure, &membrane.seepage})
     std::fill(traction->begin(), traction->end(), 0.0);
+  if constexpr (Dim == 3)
+    for (Array<double>& component : membrane.triangles.water_shear) std::fill(component.begin(), component.end(), 0.0);
 }
 
 template <int Dim>
@@ -159,10 +273,8 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
     const Outline<Dim>& cells = grids[membrane.field].outline;
     const std::size_t first = contacts.size();
     for (const Stretch& stretch : wet_stretches(around, membrane, cells)) contacts.push_back({&membrane, stretch});
-    if constexpr (Dim == 2) {
-      const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
-      for (std::size_t c = first; c < contacts.size(); ++c) look_beside(grids, cells, bed, contacts[c]);
-    }
+    const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
+    for (std::size_t c = first; c < contacts.size(); ++c) look_beside(grids, cells, bed, contacts[c]);
   }
   return contacts;
 }

@@ -25,13 +25,16 @@ struct Contact {
   double pressure = 0;       ///< [Pa]
   double velocity = -1;      ///< of slipping, at a distance from the membrane [m/s]; < 0: not known there
   double distance = 0;       ///< that one [m]
+  /// Of a stretch that may rub in space: its mean normal, longer than 1 as its area is larger than its projection, and
+  /// two unit vectors along it.
+  std::array<std::array<double, Dim>, Dim == 3 ? 3 : 0> axes{};
 
   bool over_soil() const { return !membrane->contents_pressure.empty(); }
   bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip && !over_soil(); }
   bool rubs() const { return on_bed || (membrane->shear != Shear::none && !sticks()); }
 
-  /// Largest traction along it [Pa]: what is around can give, and the soil inside can take. slip [m2/s]: the velocity
-  /// of slipping times the length.
+  /// Largest traction along it [Pa]: what is around can give, and the soil inside can take. slip [m2/s, m3/s]: the
+  /// velocity of slipping times length or area.
   double most_friction(double slip) const {
     const double taken = over_soil() ? membrane->contents_friction * inside : std::numeric_limits<double>::infinity();
     if (on_bed) return std::min(taken, std::max(0.0, membrane->bed_friction * (pressure - pore_pressure)));
@@ -44,13 +47,18 @@ struct Contact {
   }
 };
 
-/// What a row says: the normal velocities inside and around are one, or those along the membrane; or, of the water in
-/// pores, what flows through the membrane relative to the grains.
-enum class Says { normal, tangent, through };
+/// What a row says: the normal velocities inside and around are one, or those along the membrane, in space by two rows;
+/// or, of the water in pores, what flows through the membrane relative to the grains.
+enum class Says { normal, tangent, second_tangent, through };
 
-/// Of the segments or triangles of a membrane.
+/// Tractions of the segments or triangles of a membrane across it: normal, through.
 template <int Dim>
 Array<double>& traction_of(Membrane<Dim>& membrane, Says says);
+
+/// Adds a share of a row's traction to that of a segment or triangle.
+void add_traction(const Contact<2>& contact, const CutCells& cells, Says says, std::size_t segment, double traction);
+void add_traction(const Contact<3>& contact, const ClippedSurface& cells, Says says, std::size_t triangle,
+                  double traction);
 
 /// Mean over a stretch of the traction that its segments or triangles had.
 template <int Dim>
@@ -59,7 +67,7 @@ double last_traction(const Contact<Dim>& contact, const Outline<Dim>& cells, Say
 template <int Dim>
 void forget_tractions(Membrane<Dim>& membrane);
 
-/// The wet stretches of all sharp membranes. Beds, rough walls and soil that a membrane slides over are for the plane.
+/// The wet stretches of all sharp membranes. Soil that a membrane slides over is for the plane.
 template <int Dim>
 std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& grids);
 

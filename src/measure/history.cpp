@@ -126,8 +126,10 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
 void list_sharp(HistoryRow& row, const Scene& scene, const State<3>* state) {
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     if (scene.membranes[m].interface != Interface::sharp) continue;
-    const Vec<3> force = state ? pressure_force(state->membranes[m]) : Vec<3>(Vec<3>::Zero());
-    row.add_vector(scene.membranes[m].name + ".pressure_force", "N", force, 3);
+    const std::string& name = scene.membranes[m].name;
+    const WaterForceInSpace force = state ? water_force(state->membranes[m]) : WaterForceInSpace{};
+    row.add_vector(name + ".pressure_force", "N", force.pressure, 3);
+    if (rubs_sharply(scene.membranes[m])) row.add_vector(name + ".friction_force", "N", force.friction, 3);
   }
 }
 

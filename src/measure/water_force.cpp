@@ -27,10 +27,14 @@ WaterForce water_force(const Membrane<2>& membrane) {
   return force;
 }
 
-Vec<3> pressure_force(const Membrane<3>& membrane) {
-  Vec<3> force = Vec<3>::Zero();
-  for (std::size_t t = 0; t < membrane.water_pressure.size(); ++t)
-    force -= 0.5 * membrane.water_pressure[t] * normal_of(membrane, t);
+WaterForceInSpace water_force(const Membrane<3>& membrane) {
+  WaterForceInSpace force;
+  const auto& shear = membrane.triangles.water_shear;
+  for (std::size_t t = 0; t < membrane.water_pressure.size(); ++t) {
+    const Vec<3> normal = 0.5 * normal_of(membrane, t);
+    force.pressure -= membrane.water_pressure[t] * normal;
+    if (!shear[0].empty()) force.friction += normal.norm() * vector_at(shear, t);
+  }
   return force;
 }
 

@@ -15,8 +15,11 @@ struct WaterForce {
 /// Sums of the tractions of its segments: the pressure pushes inwards, the friction along.
 WaterForce water_force(const Membrane<2>& membrane);
 
-/// Force of the pressure on a membrane in space, in the step before [N].
-Vec<3> pressure_force(const Membrane<3>& membrane);
+/// Forces on a whole membrane in space, in the step before [N].
+struct WaterForceInSpace {
+  Vec<3> pressure = Vec<3>::Zero(), friction = Vec<3>::Zero();
+};
+WaterForceInSpace water_force(const Membrane<3>& membrane);
 
 /// What flows out of the pores inside through a membrane, in the step before [m2/s].
 double seepage(const Membrane<2>& membrane);

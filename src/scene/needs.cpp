@@ -126,6 +126,10 @@ bool any_membrane_slides(const Scene& scene) {
                      [&](const MembraneSpec& membrane) { return slides(scene, membrane); });
 }
 
+bool rubs_sharply(const MembraneSpec& membrane) {
+  return membrane.interface == Interface::sharp && (membrane.shear != Shear::none || !membrane.bed.empty());
+}
+
 bool any_mixing_length(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
     const MaterialSpec* material = find_material(scene, body.material);

@@ -51,6 +51,9 @@ double contents_friction(const Scene& scene, const MembraneSpec& membrane);
 bool slides(const Scene& scene, const MembraneSpec& membrane);
 bool any_membrane_slides(const Scene& scene);
 
+/// Friction of what is around acts on a sharp membrane.
+bool rubs_sharply(const MembraneSpec& membrane);
+
 bool any_tracer(const Scene& scene);
 /// A body is of a fluid with eddies that the grid does not resolve.
 bool any_mixing_length(const Scene& scene);

@@ -119,6 +119,23 @@ void draw_cloth(const Scene& scene, const MembraneSpec& spec, Membrane<2>& membr
   set_cloth_velocity(scene, spec.body, membrane);
 }
 
+/// What a sharp membrane with so many segments or triangles meets around it.
+template <int Dim>
+void set_surroundings(const Scene& scene, const MembraneSpec& spec, std::size_t parts, Membrane<Dim>& membrane) {
+  membrane.sharp = spec.interface == Interface::sharp;
+  membrane.bed = spec.bed;
+  membrane.bed_friction = spec.bed_friction;
+  if (!membrane.sharp) return;
+  membrane.shear = spec.shear;
+  membrane.wall_friction = spec.wall_friction;
+  membrane.roughness = spec.roughness;
+  if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
+  membrane.water_pressure.assign(parts, 0.0);
+  if constexpr (Dim == 3)
+    if (rubs_sharply(spec))
+      for (Array<double>& component : membrane.triangles.water_shear) component.assign(parts, 0.0);
+}
+
 Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const State<2>* earlier) {
   Membrane<2> membrane;
   membrane.name = spec.name;
@@ -142,16 +159,9 @@ Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const S
     for (const double part : membrane.rest_length) membrane.share.push_back(part / rest);
     if (membrane.contents_friction > 0) membrane.contents_pressure.assign(n, 0.0);
   }
-  membrane.sharp = spec.interface == Interface::sharp;
-  membrane.bed = spec.bed;
-  membrane.bed_friction = spec.bed_friction;
+  set_surroundings(scene, spec, segments, membrane);
   if (membrane.sharp) {
-    membrane.shear = spec.shear;
-    membrane.wall_friction = spec.wall_friction;
-    membrane.roughness = spec.roughness;
     membrane.drag_coefficient = spec.drag_coefficient;
-    if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
-    membrane.water_pressure.assign(segments, 0.0);
     membrane.water_shear.assign(segments, 0.0);
     if (!spec.bed.empty()) membrane.bed_shear.assign(segments, 0.0);
     if (const std::string& water = find_body(scene, spec.body)->saturated_by; !water.empty()) {
@@ -212,8 +222,7 @@ Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec, const St
   for (Array<double>* values : {&membrane.strain, &membrane.tension, &membrane.triangles.cross_tension})
     values->assign(triangles, 0.0);
   if (spec.axial_stiffness > 0) membrane.gauge.sums.assign(gauge_slots * triangles, 0.0);
-  membrane.sharp = spec.interface == Interface::sharp;
-  if (membrane.sharp) membrane.water_pressure.assign(triangles, 0.0);
+  set_surroundings(scene, spec, triangles, membrane);
   return membrane;
 }
 

@@ -180,11 +180,11 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
                "another number of nodes or of their quantities");
   if constexpr (Dim == 3) {
     using T = MembraneTriangles<3>;
-    part.require(
-        alike(membrane.triangles, built.triangles, &T::fabric, &T::poisson_ratio, &T::weft_stiffness, &T::weft_strength,
-              &T::mass_per_area, &T::gauge_pressure, &T::inverse_rest, &T::rest_area, &T::cross_tension) &&
-            membrane.triangles.corner == built.triangles.corner,
-        "other triangles");
+    part.require(alike(membrane.triangles, built.triangles, &T::fabric, &T::poisson_ratio, &T::weft_stiffness,
+                       &T::weft_strength, &T::mass_per_area, &T::gauge_pressure, &T::inverse_rest, &T::rest_area,
+                       &T::water_shear, &T::cross_tension) &&
+                     membrane.triangles.corner == built.triangles.corner,
+                 "other triangles");
   }
   part.require(all_finite(membrane), "a value of a node that is not finite");
   part.require(in_domain<Dim>(layout, membrane.x), "a node outside of the domain");

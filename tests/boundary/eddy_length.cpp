@@ -38,7 +38,7 @@ Membrane<2> outline(const std::vector<std::array<double, 2>>& points, double rou
 template <int Dim>
 std::vector<double> lengths(State<Dim>& state, WallKind wall) {
   const Grid<Dim> grid = make_grid<Dim>(box_scene<Dim>(10, 0.5, wall));
-  NearOutlines near_outlines;
+  NearOutlines<Dim> near_outlines;
   limit_eddies(grid.layout, near_outlines, state);
   return {state.bodies[0].eddy_length.begin(), state.bodies[0].eddy_length.end()};
 }
@@ -93,6 +93,41 @@ TEST_CASE("The squares find the nearest segment of random outlines") {
           distance = std::min(distance, std::hypot(x - places[p][0], y - places[p][1]));
         }
       REQUIRE(found[p] == within(std::min(0.1, 0.4 * distance), 4e-4));
+    }
+  }
+}
+
+TEST_CASE("In space the cubes find the nearest triangle of random surfaces") {
+  Random random(19);
+  constexpr double rough = 0.03;
+  for (int trial = 0; trial < 10; ++trial) {
+    std::vector<std::array<double, 3>> places(200);
+    for (auto& place : places)
+      for (double& x : place) x = random.uniform(0, 5);
+    State<3> state = water_at<3>(places);
+    Membrane<3> surface;
+    surface.sharp = true;
+    surface.roughness = rough;
+    const auto triangles = static_cast<std::uint32_t>(1 + 3 * trial);
+    for (std::uint32_t node = 0; node < 3 * triangles; ++node) {
+      for (auto& x : surface.x) x.push_back(random.uniform(1, 4));
+      surface.triangles.corner[node % 3].push_back(node);
+    }
+    surface.mass.assign(surface.x[0].size(), 0.0);
+    surface.triangles.rest_area.assign(triangles, 1.0);
+    state.membranes = {surface};
+    const std::vector<double> found = lengths(state, WallKind::slip);
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      double distance = 10;  // by many points of each triangle
+      const Vec<3> at(places[p].data());
+      for (std::uint32_t t = 0; t < triangles; ++t)
+        for (int i = 0; i <= 200; ++i)
+          for (int j = 0; i + j <= 200; ++j) {
+            const Vec<3> point = i / 200.0 * vector_at(surface.x, 3 * t) + j / 200.0 * vector_at(surface.x, 3 * t + 1) +
+                                 (200 - i - j) / 200.0 * vector_at(surface.x, 3 * t + 2);
+            distance = std::min(distance, (point - at).norm());
+          }
+      REQUIRE(found[p] == within(std::min(0.1, 0.4 * (distance + rough / 30)), 4e-3));
     }
   }
 }

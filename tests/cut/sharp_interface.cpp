@@ -11,6 +11,7 @@
 #include "cut/interface_constraint.hpp"
 #include "geometry/polygon.hpp"
 #include "grid/momentum.hpp"
+#include "measure/water_force.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
@@ -64,6 +65,13 @@ struct Fall {
       for (int a = 0; a < Dim; ++a) sum[a] += grids[field].sum[n][3] * grids[field].velocity[n][a];
     return sum;
   }
+  double kinetic() const {
+    double sum = 0;
+    for (const Grid<Dim>& grid : grids)
+      for (std::size_t n = 0; n < grid.sum.size(); ++n)
+        for (int a = 0; a < Dim; ++a) sum += 0.5 * grid.sum[n][3] * grid.velocity[n][a] * grid.velocity[n][a];
+    return sum;
+  }
   const Membrane<Dim>& membrane() const { return state.membranes[0]; }
 };
 
@@ -77,6 +85,40 @@ template <class Axes>
 std::vector<std::vector<std::string>> axes_of() {
   if (Axes::value == 2) return {uniform, graded};
   return {uniform};
+}
+
+/// What hinders slip along the membrane of the case.
+template <int Dim>
+std::vector<std::string> hinders(const std::vector<std::string>& settings) {
+  std::vector<std::string> out;
+  for (const std::string& setting : settings)
+    out.push_back((Dim == 2 ? "membranes.geotextile." : "membranes.skin.") + setting);
+  return out;
+}
+template <int Dim>
+std::vector<std::string> sticks() {
+  return hinders<Dim>({"shear=no_slip"});
+}
+template <int Dim>
+std::vector<std::string> rubs() {
+  return hinders<Dim>({"shear=wall_law", "wall_friction=0.5"});
+}
+template <int Dim>
+std::vector<std::string> rough() {
+  return hinders<Dim>({"shear=rough_wall", "roughness=0.5"});
+}
+
+/// Largest traction along a membrane.
+double largest_shear(const Membrane<2>& membrane) {
+  double largest = 0;
+  for (const double tau : membrane.water_shear) largest = std::max(largest, std::abs(tau));
+  return largest;
+}
+double largest_shear(const Membrane<3>& membrane) {
+  double largest = 0;
+  for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
+    largest = std::max(largest, vector_at(membrane.triangles.water_shear, t).norm());
+  return largest;
 }
 
 /// sum_i v_i . g_ic over all parts of cells of a field, and the same as volume rates of its groups [m2/s, m3/s].
@@ -98,13 +140,8 @@ std::pair<double, double> flow_and_rates(const Grid<Dim>& grid) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("Joining conserves momentum to round-off, also where nodes are nearly empty", Axes, Plane, Space) {
-  const std::vector<std::string> sticks = {"membranes.geotextile.shear=no_slip"},
-                                 rubs = {"membranes.geotextile.shear=wall_law",
-                                         "membranes.geotextile.wall_friction=0.5"},
-                                 rough = {"membranes.geotextile.shear=rough_wall",
-                                          "membranes.geotextile.roughness=0.5"};
-  std::vector<std::vector<std::string>> all{uniform};
-  if (Axes::value == 2) all.insert(all.end(), {graded, sticks, rubs, rough});
+  std::vector<std::vector<std::string>> all{uniform, sticks<Axes::value>(), rubs<Axes::value>(), rough<Axes::value>()};
+  if (Axes::value == 2) all.push_back(graded);
   for (const auto& settings : all) {
     Fall<Axes::value> fall(settings);
     fall.scramble_velocities(1);
@@ -133,19 +170,62 @@ TEST_CASE_TEMPLATE("Joined velocities need no further pressure", Axes, Plane, Sp
   }
 }
 
-TEST_CASE("Water that sticks no longer slips, and a second look finds no traction") {
-  Fall<2> fall({"membranes.geotextile.shear=no_slip", "membranes.geotextile.contents_friction=inf"});
+TEST_CASE_TEMPLATE("Water that sticks no longer slips, and a second look finds no traction", Axes, Plane, Space) {
+  std::vector<std::string> settings = sticks<Axes::value>();
+  if (Axes::value == 2) settings.emplace_back("membranes.geotextile.contents_friction=inf");
+  Fall<Axes::value> fall(settings);
   fall.scramble_velocities(3);
-  const auto largest = [&] {
-    double traction = 0;
-    for (const double tau : fall.membrane().water_shear) traction = std::max(traction, std::abs(tau));
-    return traction;
-  };
   join_interfaces(fall.state, fall.grids, 1e-3);
-  const double before = largest();
+  const double before = largest_shear(fall.membrane());
   join_interfaces(fall.state, fall.grids, 1e-3);
   CHECK(before > 1e4);
-  CHECK(largest() < 1e-5 * before);
+  CHECK(largest_shear(fall.membrane()) < 1e-5 * before);
+}
+
+TEST_CASE_TEMPLATE("The body gets the forces that the history tells of", Axes, Plane, Space) {
+  constexpr double dt = 1e-3;
+  for (const auto& settings : {sticks<Axes::value>(), rubs<Axes::value>(), rough<Axes::value>()}) {
+    Fall<Axes::value> fall(settings);
+    fall.scramble_velocities(5);
+    const auto before = fall.momentum(1);
+    join_interfaces(fall.state, fall.grids, dt);
+    const auto after = fall.momentum(1);
+    const auto force = water_force(fall.membrane());
+    double friction = 0;
+    for (int a = 0; a < Axes::value; ++a) {
+      CHECK(after[a] - before[a] == near(dt * (force.pressure[a] + force.friction[a]), 1e-9));
+      friction = std::max(friction, std::abs(force.friction[a]));
+    }
+    CHECK(friction > 10);
+  }
+}
+
+TEST_CASE("In space a bed only pushes, and rubs by mu p at most in any direction, with what slips against it") {
+  constexpr double mu = 0.3, pore_pressure = 1e3;
+  Fall<3> fall({"membranes.skin.bed=water", "membranes.skin.bed_friction=0.3"});
+  Body<3>& bed = fall.state.bodies[0];
+  bed.pore_pressure.assign(bed.size(), pore_pressure);
+  fall.scramble_velocities(7);
+  const double before = fall.kinetic();
+  join_interfaces(fall.state, fall.grids, 1e-3);
+  const Membrane<3>& membrane = fall.membrane();
+  std::size_t open = 0, slipping = 0;
+  for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
+    const double p = membrane.water_pressure[t], most = mu * std::max(0.0, p - pore_pressure);
+    const double shear = vector_at(membrane.triangles.water_shear, t).norm();
+    CHECK(p >= 0);
+    CHECK(shear <= mu * p * (1 + 1e-9));
+    open += p == 0;
+    slipping += p > 5e3 && shear > 0.99 * most && shear < 1.01 * most;
+  }
+  CHECK(open > membrane.triangles.size() / 20);
+  CHECK(slipping > membrane.triangles.size() / 20);
+  const double with_friction = fall.kinetic();
+  Fall<3> smooth({"membranes.skin.bed=water"});
+  smooth.scramble_velocities(7);
+  join_interfaces(smooth.state, smooth.grids, 1e-3);
+  CHECK(with_friction < smooth.kinetic());
+  CHECK(smooth.kinetic() < before);
 }
 
 TEST_CASE_TEMPLATE("Both sides have all of a cut cell's splines between them", Axes, Plane, Space) {

@@ -30,7 +30,7 @@ TEST_CASE("A sharp interface needs cells that are knot spans, their pressure on 
   CHECK(bag.find(key + "with nothing around") != std::string::npos);
 }
 
-TEST_CASE("In space: uniform axes, a body inside, nothing that hinders slip") {
+TEST_CASE("In space: uniform axes, a body inside") {
   const std::string scene = source_path("cases/verification/sphere_release_3d.toml"), membrane = "membranes.skin.";
   const auto check = [&](const std::vector<std::string>& overrides, const std::string& says) {
     const std::string error = scene_error(scene, overrides);
@@ -44,7 +44,9 @@ TEST_CASE("In space: uniform axes, a body inside, nothing that hinders slip") {
         key + "on an empty membrane");
   check({"bodies.ball.pressure=particle"}, key + "around a body whose pressure is not that of cells");
   check({"bodies.water.pressure=particle"}, key + "with nothing around");
-  check({membrane + "shear=no_slip"}, membrane + "shear: found what hinders slip along a membrane in space");
+  check({membrane + "shear=wall_law"}, membrane + "wall_friction");
+  check({membrane + "bed=bad"}, membrane + "bed: found \"bad\"");
+  check({membrane + "bed_friction=0.5"}, membrane + "bed_friction: found 0.5 without a bed");
   check({membrane + "drag_coefficient=1.2"}, membrane + "drag_coefficient");
 }
 

@@ -82,6 +82,7 @@ struct MembraneTriangles<3> {
   std::array<Array<std::uint32_t>, 3> corner;    ///< nodes, anticlockwise from outside
   std::array<Array<double>, 4> inverse_rest;     ///< D^-1 [1/m], D the two edges from corner 0 in warp and weft
   Array<double> rest_area;                       ///< [m2]
+  std::array<Array<double>, 3> water_shear;      ///< of a sharp one: traction along it of what is around [Pa]; or empty
   Array<double> cross_tension;                   ///< smaller principal one, or of the weft, per width at rest [N/m]
 
   std::size_t size() const { return rest_area.size(); }

@@ -153,8 +153,8 @@ void check_surfaces(const Scene& scene, Report& report) {
       report.add(key, "a membrane in space with solver.transfer = \"musl\"", "tpic or blend");
     else if (report.healthy("grid"))
       check_interface(scene, membrane, key, report);
-    if (membrane.shear != Shear::none && report.healthy(key + ".shear"))
-      report.add(key + ".shear", "what hinders slip along a membrane in space", "\"none\" with dimension = 3");
+    check_bed(scene, membrane, key, report);
+    check_fluid_around(scene, membrane, key, report);
   }
 }
 
