@@ -10,14 +10,24 @@
 // With psi = 0 nothing but the cut-off takes mean stress away, so ln J - p / K - gap never changes. That the strain is
 // the logarithm and not dvol itself is part of it: a skeleton that is shaken would else lose dvol^2 / 2 each step.
 //
-// The pores see e, all of it: pore water fills the voids that open, and flows out of them when they close. J is not
-// bounded anywhere: an open soil has no stiffness that its larger volume could multiply, and no stress above its
-// cut-off.
+// The pores see e, all of it: pore water fills the voids that open, and flows out of them when they close.
+//
+// J is not bounded anywhere. Where the cut-off is the apex, an open soil has no stiffness that its larger volume could
+// multiply. Below the apex it opens along one axis and bears along the others: the stress is that of the soil between
+// the voids, and acts on its volume V exp(-gap) alone. On V, what is pressed, opens by the factor J and is released
+// gives back J times the work, and is J times as stiff as the time step knows.
 #pragma once
 
 #include "mohr_coulomb.hpp"
 
+#include <cmath>
+
 namespace geodrop {
+
+/// Share of its voids in the volume of a point [-], where what is between them bears a stress.
+inline double void_share(const MohrCoulombWithVoids& soil, double gap) {
+  return soil.bears_while_open() ? -std::expm1(-gap) : 0.0;
+}
 
 /// What one step has done to a point, beside its stress.
 template <class R>

@@ -4,6 +4,7 @@
 #include <geodrop/measure/measure.hpp>
 
 #include "base/fixed_order_sum.hpp"
+#include "bearing_share.hpp"
 #include "materials/neo_hookean.hpp"
 #include "materials/pore_gas.hpp"
 #include "membrane/triangles.hpp"
@@ -30,15 +31,15 @@ double strain_energy(const Newtonian& fluid, const Body<Dim>& body, std::size_t 
   return body.mass[p] / fluid.density * fluid_energy(fluid, body.J[p]);
 }
 
-/// p^2 / 2K + s:s / 4G per current volume, of effective stresses, and u^2 / 2K_w of the pores.
+/// p^2 / 2K + s:s / 4G per volume that bears, of effective stresses, and u^2 / 2K_w of the pores.
 template <class Solid, int Dim>
 double strain_energy(const Solid& solid, const Body<Dim>& body, std::size_t p) {
   const double mean = (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
   double deviator_square = 0;
   for (int k = 0; k < 3; ++k) deviator_square += (body.stress[k][p] - mean) * (body.stress[k][p] - mean);
   for (int k = 3; k < stress_components<Dim>; ++k) deviator_square += 2 * body.stress[k][p] * body.stress[k][p];
-  const double skeleton =
-      body.volume(p) * (mean * mean / (2 * solid.bulk_modulus) + deviator_square / (4 * solid.shear_modulus));
+  const double skeleton = bearing_share(body, p) * body.volume(p) *
+                          (mean * mean / (2 * solid.bulk_modulus) + deviator_square / (4 * solid.shear_modulus));
   if constexpr (requires { solid.pore_stiffness; }) {
     if (body.pore_pressure.empty() || solid.pore_stiffness <= 0) return skeleton;
     const double u = body.pore_pressure[p];

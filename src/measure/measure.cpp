@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/fixed_order_sum.hpp"
+#include "bearing_share.hpp"
 #include "geometry/polygon.hpp"
 #include "mean_and_deviation.hpp"
 #include "membrane/bounds.hpp"
@@ -27,7 +28,7 @@ double pressure(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
 template <class Solid, int Dim>
 double pressure(const Solid&, const Body<Dim>& body, std::size_t p) {
   const double skeleton = -(body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3.0;
-  return skeleton + (body.pore_pressure.empty() ? 0.0 : body.pore_pressure[p]);
+  return bearing_share(body, p) * skeleton + (body.pore_pressure.empty() ? 0.0 : body.pore_pressure[p]);
 }
 
 template <int Dim>
@@ -154,7 +155,9 @@ double mean_pressure(const Body<Dim>& body, std::size_t p) {
 template <int Dim>
 std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, std::size_t p) {
   std::array<double, stress_components<Dim>> stress{};
-  for (int k = 0; k < stress_components<Dim>; ++k) stress[k] = body.stress[k].empty() ? 0.0 : body.stress[k][p];
+  const double bearing = bearing_share(body, p);
+  for (int k = 0; k < stress_components<Dim>; ++k)
+    stress[k] = body.stress[k].empty() ? 0.0 : bearing * body.stress[k][p];
   double isotropic = body.pore_pressure.empty() ? 0.0 : body.pore_pressure[p];
   if (const auto* fluid = std::get_if<Newtonian>(&body.material)) isotropic = pressure(*fluid, body, p);
   for (int k = 0; k < 3; ++k) stress[k] -= isotropic;

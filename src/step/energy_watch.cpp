@@ -21,15 +21,24 @@ double driving_work(const State<Dim>& state) {
   return work;
 }
 
-[[noreturn]] void stop(double held, double budget, double t_before) {
+/// Soil without void memory bears on all of the volume that it has opened to, and gives back more than it took.
+template <int Dim>
+bool has_open_soil(const State<Dim>& state) {
+  constexpr double twice = 2;
+  const auto opens = [](const Body<Dim>& body) {
+    return soil_law(body.material) && body.gap.empty() &&
+           std::any_of(body.J.begin(), body.J.end(), [](double J) { return J > twice; });
+  };
+  return std::any_of(state.bodies.begin(), state.bodies.end(), opens);
+}
+
+[[noreturn]] void stop(double held, double budget, double t_before, const std::string& cure) {
   const auto energy = [](double joules) {
     return std::isfinite(joules) ? format_number(joules, 4) + " J" : std::string("more than any number");
   };
   throw RunError("energy grows without cause: motion and strain hold " + energy(held) +
-                 ", but the start, gravity and moving bodies gave " + energy(budget) +
-                 "; in order until t = " + format_number(t_before, 6) +
-                 " s, frames up to then are good. A smaller solver.courant, solver.transfer tpic or a larger "
-                 "solver.blend_rate may cure it");
+                 ", but the start, gravity and moving bodies gave " + energy(budget) + "; in order until t = " +
+                 format_number(t_before, 6) + " s, frames up to then are good. " + cure + " may cure it");
 }
 
 }  // namespace
@@ -54,8 +63,13 @@ void watch_energy(const Point& gravity, double h, const StepContext& step, State
   const double lift = 0.1 * totals.mass * g * h;
   const double rest = 0.5 * totals.mass * std::pow(1e-6 * h / step.dt, 2);
   const double given = budget.held + budget.fallen + std::max(0.0, driven - budget.driven) + lift + rest;
-  if (!(held <= energy_watch_limit * given)) stop(held, given, budget.t);
-  budget.t = t;
+  if (held <= energy_watch_limit * given) {
+    budget.t = t;
+    return;
+  }
+  stop(held, given, budget.t,
+       has_open_soil(state) ? "Soil has opened to more than twice its volume: void_memory"
+                            : "A smaller solver.courant, solver.transfer tpic or a larger solver.blend_rate");
 }
 
 template void watch_energy(const Point&, double, const StepContext&, State<2>&);

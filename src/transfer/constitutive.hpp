@@ -45,6 +45,18 @@ void volumes_and_pressures(const Body<Dim>& body, const Solid& solid, std::size_
   }
 }
 
+/// The pressure is the mean over soil and voids, which bear nothing.
+template <int Dim>
+void volumes_and_pressures(const Body<Dim>& body, const MohrCoulombWithVoids& soil, std::size_t begin, int count,
+                           double* volume, double* pressure) {
+  volumes_and_pressures(body, static_cast<const MohrCoulomb&>(soil), begin, count, volume, pressure);
+  if (!soil.bears_while_open()) return;
+  for (int k = 0; k < count; ++k) {
+    const std::size_t p = begin + k;
+    pressure[k] += void_share(soil, body.gap[p]) * (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
+  }
+}
+
 template <int Dim>
 void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t begin, int count, const double* own,
                     ChunkStress<Dim>& out) {
@@ -98,6 +110,20 @@ void carried_stress(const Body<Dim>& body, const Solid& solid, std::size_t begin
     const double normal = c < 3 ? 1.0 : 0.0;
 #pragma omp simd
     for (int k = 0; k < count; ++k) out.s[c][k] = -out.volume[k] * (sigma[k] - normal * removed[k]);
+  }
+}
+
+/// Voids bear nothing.
+template <int Dim>
+void carried_stress(const Body<Dim>& body, const MohrCoulombWithVoids& soil, std::size_t begin, int count,
+                    const double* own, ChunkStress<Dim>& out) {
+  carried_stress(body, static_cast<const MohrCoulomb&>(soil), begin, count, own, out);
+  if (!soil.bears_while_open()) return;
+  for (int k = 0; k < count; ++k) {
+    const std::size_t p = begin + k;
+    const double removed = (1 - own[k]) * (body.stress[0][p] + body.stress[1][p] + body.stress[2][p]) / 3;
+    const double voids = out.volume[k] * void_share(soil, body.gap[p]);
+    for (const int c : acting_components<Dim>) out.s[c][k] += voids * (body.stress[c][p] - (c < 3 ? removed : 0.0));
   }
 }
 

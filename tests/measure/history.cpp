@@ -269,6 +269,27 @@ TEST_CASE("energies, mass and momentum") {
                                          1e-12));
 }
 
+TEST_CASE("Open voids bear no stress and store no energy, where the soil between them bears") {
+  State<2> state = small_state();
+  Body<2>& bag = state.bodies[1];
+  bag.stress[0][3] = -1000;
+  bag.stress[1][3] = -3000;
+  bag.stress[2][3] = -2000;
+  bag.pore_pressure[3] = 4000;
+  const double closed = measure(state, {0, 0}).strain;
+  MohrCoulombWithVoids soil{std::get<MohrCoulomb>(bag.material)};
+  soil.cohesion = 20e3;
+  soil.tension_cutoff = 0;
+  bag.material = soil;
+  bag.gap.assign(4, 0.0);
+  bag.gap[3] = std::log(2.0);
+  bag.J[3] = 2;
+  // The soil is all there, in half of the volume; the water fills it, too: u^2 / 2 (K_f / n) = 0.4 J/m3 once more.
+  CHECK(measure(state, {0, 0}).strain == near(closed + 0.4, 1e-12));
+  CHECK(total_stress(bag, 3)[1] == near(-3000 / 2.0 - 4000, 1e-13));
+  CHECK(mean_pressure(bag, 3) == near(2000 / 2.0 + 4000, 1e-13));
+}
+
 TEST_CASE("the slope of the water's energy over volume is minus its pressure") {
   State<2> state = small_state();
   const Point no_gravity{0, 0};

@@ -99,6 +99,13 @@ TEST_CASE("No particle leaves its balance of volume, stress and gap, whatever th
   }
 }
 
+TEST_CASE("An upright front of clay without tensile strength falls down, and no crumb of it gains energy") {
+  // With the stress of open soil on all of its volume a particle was turned inside out after 1.9 s.
+  const std::string upright = "bodies.block.shape.points=[[-1.0,0.0],[1.0,0.0],[1.0,0.5],[-1.0,0.5]]";
+  const SceneRun run("cases/verification/stops_on_slope_clay.toml", {upright, "time.end=3"});
+  CHECK(run.text("status") == "done");
+}
+
 TEST_CASE("Pore water fills the voids: its pressure follows all of the volume, the skeleton that without the gap") {
   const Drift drift = drift_of(plane, {"materials.sand.drainage=undrained", "materials.sand.porosity=0.4",
                                        "materials.sand.fluid_bulk_modulus=14e6"});

@@ -20,9 +20,10 @@ namespace {
 
 const std::string drifting = "cases/verification/edge_drift.toml";
 
+State<2> block_that_drifts() { return build_state<2>(read_scene(source_path(drifting))); }
+
 /// What the watch says of a block whose energy at a later look is `factor` times that of the first; empty if nothing.
-std::string said_of(double factor, const Point& gravity = {0, 0}) {
-  State<2> state = build_state<2>(read_scene(source_path(drifting)));
+std::string said_of(double factor, const Point& gravity = {0, 0}, State<2> state = block_that_drifts()) {
   const Point nowhere{0, 0};
   watch_energy(nowhere, 1.0, {0.01, 0.0, 0}, state);
   for (double& v : state.bodies[0].v[0]) v *= std::sqrt(factor);
@@ -43,6 +44,18 @@ TEST_CASE("Half as much energy again is too much, and what is no number too") {
   CHECK(contains(said_of(1.6), "in order until t = 0.01 s"));
   CHECK(contains(said_of(std::numeric_limits<double>::quiet_NaN()), "energy grows without cause"));
   CHECK(contains(said_of(std::numeric_limits<double>::quiet_NaN()), "strain hold more than any number, but"));
+}
+
+TEST_CASE("Of soil that has opened it says what it wants: a memory of its voids") {
+  State<2> state = block_that_drifts();
+  Body<2>& block = state.bodies[0];
+  CHECK_FALSE(contains(said_of(1.6), "void_memory"));
+  block.material = MohrCoulomb{1000, 2e6, 1e6, 2e4, 0.5, 0.8, 0, 0, 0};
+  CHECK_FALSE(contains(said_of(1.6, {0, 0}, state), "void_memory"));
+  block.J.back() = 2.5;
+  CHECK(contains(said_of(1.6, {0, 0}, state), "void_memory may cure it"));
+  block.material = LinearElastic{1000, 2e6, 1e6};
+  CHECK_FALSE(contains(said_of(1.6, {0, 0}, state), "void_memory"));
 }
 
 TEST_CASE("What is no number is said in words, of what was given too") {

@@ -162,6 +162,13 @@ struct MohrCoulomb {
 
 /// The same without dilatancy, where what opens at the cut-off closes again without stress; see materials/void_memory.
 struct MohrCoulombWithVoids : MohrCoulomb {
+  /// Whether soil with open voids can be pressed or sheared: a cut-off at the apex leaves it one stress alone. A
+  /// cut-off typed in with a few digits is that, too.
+  bool bears_while_open() const {
+    constexpr double digits = 0.999;
+    return tension_cutoff * sin_phi < digits * cohesion * cos_phi;
+  }
+
   void state(auto& points, auto f) const {
     MohrCoulomb::state(points, f);
     f(points.gap);
