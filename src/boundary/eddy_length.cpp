@@ -68,17 +68,19 @@ void for_each_part(const Membrane<3>& membrane, F&& f) {
 }  // namespace
 
 template <int Dim>
-void NearOutlines<Dim>::add(const WallPart<Dim>& part) {
+void NearOutlines<Dim>::add(const WallPart<Dim>& part, double reach) {
   const auto [low, high] = box_of(part);
   std::array<int, Dim> first, last;
   for (int a = 0; a < Dim; ++a) {
-    first[a] = std::max(0, static_cast<int>((low[a] - lower_[a]) / size_) - 1);
-    last[a] = std::min(count_[a] - 1, static_cast<int>((high[a] - lower_[a]) / size_) + 1);
+    first[a] = std::max(0, static_cast<int>(std::floor((low[a] - reach - lower_[a]) / size_)));
+    last[a] = std::min(count_[a] - 1, static_cast<int>(std::floor((high[a] + reach - lower_[a]) / size_)));
     if (first[a] > last[a]) return;
   }
+  const auto number = static_cast<std::uint32_t>(parts_.size());
+  parts_.push_back(part);
   std::array<int, Dim> at = first;
   for (;;) {
-    squares_[square_of(at)].push_back(part);
+    squares_[square_of(at)].push_back(number);
     int a = 0;
     while (a < Dim && at[a] == last[a]) {
       at[a] = first[a];
@@ -111,10 +113,11 @@ void NearOutlines<Dim>::update(const State<Dim>& state, double reach) {
     count_[a] = static_cast<int>((upper[a] - lower_[a]) / size_) + 1;
     squares *= static_cast<std::size_t>(count_[a]);
   }
+  parts_.clear();
   for (auto& square : squares_) square.clear();
   squares_.resize(std::max(squares_.size(), squares));
   for (const Membrane<Dim>& membrane : state.membranes)
-    if (acts_sharply(membrane)) for_each_part(membrane, [&](const WallPart<Dim>& part) { add(part); });
+    if (acts_sharply(membrane)) for_each_part(membrane, [&](const WallPart<Dim>& part) { add(part, reach); });
 }
 
 template <int Dim>
@@ -125,8 +128,10 @@ double NearOutlines<Dim>::least_length(const std::array<double, Dim>& x, double 
     if (!(u >= 0 && u < count_[a])) return most;
     at[a] = static_cast<int>(u);
   }
-  for (const WallPart<Dim>& part : squares_[square_of(at)])
+  for (const std::uint32_t number : squares_[square_of(at)]) {
+    const WallPart<Dim>& part = parts_[number];
     most = std::min(most, von_karman * (distance_to(part, x) + part.rough));
+  }
   return most;
 }
 

@@ -11,6 +11,7 @@
 #include <geodrop/state/state.hpp>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace geodrop {
@@ -46,12 +47,13 @@ class NearOutlines {
       place = place * static_cast<std::size_t>(count_[a]) + static_cast<std::size_t>(at[a]);
     return place;
   }
-  void add(const WallPart<Dim>& part);
+  void add(const WallPart<Dim>& part, double reach);
 
   double size_ = 1;  ///< of a square, at least the reach [m]
   std::array<double, Dim> lower_{};
   std::array<int, Dim> count_{};
-  std::vector<std::vector<WallPart<Dim>>> squares_;
+  std::vector<WallPart<Dim>> parts_;
+  std::vector<std::vector<std::uint32_t>> squares_;  ///< parts within reach
 };
 
 /// Sets the eddy length of each particle of fluids with a mixing length.
