@@ -1,5 +1,5 @@
-// The reference of towed_sheet: water of depth without end slides along a wall that rubs by tau = 1/2 rho C_f u^2, u its
-// velocity there. Viscosity carries the loss away: u(t) = U - 1/rho int tau(s) / sqrt(pi nu (t - s)) ds (Carslaw &
+// The reference of towed_sheet: water of depth without end slides along a wall that rubs by tau = 1/2 rho C_f u^2, u
+// its velocity there. Viscosity carries the loss away: u(t) = U - 1/rho int tau(s) / sqrt(pi nu (t - s)) ds (Carslaw &
 // Jaeger 1959, 2.9). The tension of one face is tau times the length of water beyond a point; the water moves with U.
 #include "support/near.hpp"
 #include "support/scene_files.hpp"
