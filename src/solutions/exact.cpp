@@ -64,6 +64,12 @@ ExactSolution<Dim> make(const OscillatingDropSpec& spec, const Material& materia
   return OscillatingDrop{spec.rate, spec.frequency, spec.radius, fluid.density, fluid.bulk_modulus};
 }
 
+template <int Dim>
+ExactSolution<Dim> make(const LambDipoleSpec& spec, const Material& material) {
+  const auto& fluid = std::get<Newtonian>(material);
+  return LambDipole{spec.speed, spec.radius, spec.centre, fluid.density, fluid.bulk_modulus};
+}
+
 // --- Of one point ------------------------------------------------------------------------------
 
 struct AlongAxis {
@@ -191,6 +197,38 @@ ExactPoint<Dim> point(const OscillatingDrop& drop, const Vec<Dim>& X, const Vec<
   return out;
 }
 
+/// f of psi = f y at the distance r from the centre of the pair [m/s], g = f'/r [1/(m s)] and h = g'/r [1/(m3 s)].
+struct StreamFactor {
+  double f, g, h;
+};
+constexpr double first_zero_of_j1 = 3.8317059702075123;
+StreamFactor stream_factor(const LambDipole& pair, double r) {
+  const double U = pair.speed, a2 = pair.radius * pair.radius, r2 = r * r;
+  if (r >= pair.radius) return {U * a2 / r2, -2 * U * a2 / (r2 * r2), 8 * U * a2 / (r2 * r2 * r2)};
+  // (J1/s)' = -J2/s, (J2/s^2)' = -J3/s^2. Below the smallest s all three are constant to 1e-13.
+  constexpr double smallest = 1e-6;
+  const double k = first_zero_of_j1 / pair.radius, k2 = k * k, s = std::max(k * r, smallest);
+  const double c = 2 * U / std::cyl_bessel_j(0.0, first_zero_of_j1);
+  return {U - c * std::cyl_bessel_j(1.0, s) / s, c * k2 * std::cyl_bessel_j(2.0, s) / (s * s),
+          -c * k2 * k2 * std::cyl_bessel_j(3.0, s) / (s * s * s)};
+}
+
+template <int Dim>
+ExactPoint<Dim> point(const LambDipole& pair, const Vec<Dim>&, const Vec<Dim>& at, double t) {
+  const Vec<Dim> away = at - centre_at<Dim>(pair, t);
+  const double x = away[0], y = away[1];
+  const auto [f, g, h] = stream_factor(pair, std::hypot(x, y));
+  ExactPoint<Dim> out;
+  out.velocity[0] = f + y * y * g;
+  out.velocity[1] = -x * y * g;
+  out.velocity_gradient(0, 0) = x * (g + y * y * h);
+  out.velocity_gradient(0, 1) = y * (3 * g + y * y * h);
+  out.velocity_gradient(1, 0) = -y * (g + x * x * h);
+  out.velocity_gradient(1, 1) = -x * (g + y * y * h);
+  out.volume_ratio = 1 / (1 + pressure<Dim>(pair, at, t) / pair.bulk_modulus);
+  return out;
+}
+
 }  // namespace
 
 DropShape shape_at(const OscillatingDrop& drop, double t) {
@@ -242,6 +280,26 @@ double pressure(const OscillatingDrop& drop, const Vec<Dim>& x, double t) {
   return drop.density / 2 * twice * std::max(0.0, 1 - (x[0] * x[0] / (a * a) + x[1] * x[1] * a * a) / R2);
 }
 
+template <int Dim>
+Vec<Dim> centre_at(const LambDipole& pair, double t) {
+  Vec<Dim> centre = Vec<Dim>::Zero();
+  centre[0] = pair.centre[0] + pair.speed * t;
+  centre[1] = pair.centre[1];
+  return centre;
+}
+
+/// Bernoulli's law beside the pair, for which the flow is steady, psi' = psi - U y: p/rho + u'^2/2 is U^2/2 on the
+/// circle and beyond, and within it less by k^2 psi'^2/2, as the vorticity there is k^2 psi'.
+template <int Dim>
+double pressure(const LambDipole& pair, const Vec<Dim>& x, double t) {
+  const Vec<Dim> away = x - centre_at<Dim>(pair, t);
+  const double U = pair.speed, y = away[1], r = std::hypot(away[0], y);
+  const auto [f, g, h] = stream_factor(pair, r);
+  const double along = f + y * y * g - U, across = -away[0] * y * g;
+  const double turning = r < pair.radius ? first_zero_of_j1 / pair.radius * (f - U) * y : 0;  // k psi'
+  return pair.density / 2 * (U * U - along * along - across * across - turning * turning);
+}
+
 /// rho0 (u'' - b) = dP/dX along each axis. With F diagonal P_a = mu (F_a - 1/F_a) + lambda ln J / F_a, of which along
 /// axis a only F_a varies, dF_a/dX_a = -k^2 u_a.
 template <int Dim>
@@ -290,6 +348,7 @@ double velocity_scale(const ExactSolution<Dim>& solution, double t) {
     return std::abs(vortex->angle) * vortex->frequency * vortex->radius;
   if (const auto* drop = std::get_if<OscillatingDrop>(&solution))
     return drop->radius * std::hypot(drop->rate, drop->frequency);
+  if (const auto* pair = std::get_if<LambDipole>(&solution)) return pair->speed;
   return speed_at(std::get<TaylorGreen>(solution), t) / std::numbers::sqrt2;
 }
 
@@ -310,6 +369,8 @@ double strain_scale(const ExactSolution<Dim>& solution) {
   template ExactPoint<D> exact_point<D>(const ExactSolution<D>&, const Vec<D>&, const Vec<D>&, double); \
   template double pressure<D>(const TaylorGreen&, const Vec<D>&, double);                               \
   template double pressure<D>(const OscillatingDrop&, const Vec<D>&, double);                           \
+  template Vec<D> centre_at<D>(const LambDipole&, double);                                              \
+  template double pressure<D>(const LambDipole&, const Vec<D>&, double);                                \
   template Vec<D> body_force<D>(const AxisAlignedMms&, const Vec<D>&, double);                          \
   template Vec<D> body_force<D>(const GeneralizedVortex&, const Vec<D>&, double);                       \
   template Vec<D> body_force<D>(const OscillatingDrop&, const Vec<D>&, double);                         \

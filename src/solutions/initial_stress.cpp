@@ -94,6 +94,8 @@ void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
       set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*flow, vector_at(body.x, p), 0)}, body, p);
     else if (const auto* drop = std::get_if<OscillatingDrop>(&solution))
       set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*drop, vector_at(body.x, p), 0)}, body, p);
+    else if (const auto* pair = std::get_if<LambDipole>(&solution))
+      set_fluid(std::get<Newtonian>(body.material), {0, 0, pressure<Dim>(*pair, vector_at(body.x, p), 0)}, body, p);
     else if (const auto* motion = std::get_if<UniformMotion<Dim>>(&solution))
       stretch_solid(*motion, body, p);
     else

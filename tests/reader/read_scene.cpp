@@ -215,7 +215,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(scene.stages[1].places == std::vector<std::string>{"bar"});
   CHECK(scene.stages[1].moves == std::vector<std::string>{"wall"});
   CHECK(scene.stages[1].removes == std::vector<std::string>{"ram"});
-  REQUIRE(scene.exact.size() == 6);
+  REQUIRE(scene.exact.size() == 7);
   CHECK(scene.exact[0].body == "pad");
   CHECK(std::get<AxisAlignedMmsSpec>(scene.exact[0].solution) == AxisAlignedMmsSpec{0.05, 1.0});
   CHECK(std::get<TaylorGreenSpec>(scene.exact[1].solution) == TaylorGreenSpec{1.0, 1.0});
@@ -223,6 +223,7 @@ TEST_CASE("membranes, probes and results as written") {
   CHECK(std::get<BarFirstModeSpec>(scene.exact[3].solution) == BarFirstModeSpec{0.1, 1, 25.0});
   CHECK(std::get<GeneralizedVortexSpec>(scene.exact[4].solution) == GeneralizedVortexSpec{0.1, 1.0, 0.25, 3.0});
   CHECK(std::get<OscillatingDropSpec>(scene.exact[5].solution) == OscillatingDropSpec{0.5, 2.0, 1.5});
+  CHECK(std::get<LambDipoleSpec>(scene.exact[6].solution) == LambDipoleSpec{0.5, 0.1, {8.25, 7.5}});
   REQUIRE(scene.results.size() == 11);
   using enum Reduction;
   const std::vector<Reduction> kinds{last,           min,       max,  mean, rms, percentile, period, first_time_below,

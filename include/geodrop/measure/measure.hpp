@@ -93,7 +93,7 @@ struct ExactError {
   double velocity_rms = 0, velocity_max = 0;          ///< [-]
   double displacement_rms = 0, displacement_max = 0;  ///< [m]
   double strain_rms = 0, strain_max = 0;              ///< [-]
-  // TaylorGreen
+  // TaylorGreen, LambDipole
   double kinetic_energy = 0;                ///< over the exact one at the particles [-]
   double pressure_rms = 0;                  ///< over the exact rms [-]
   double density_min = 0, density_max = 0;  ///< over the nodes, mass over that of a full node [-]

@@ -106,11 +106,17 @@ struct OscillatingDropSpec {
   double radius = 0;     ///< of the drop, about the origin [m]
   bool operator==(const OscillatingDropSpec&) const = default;
 };
+struct LambDipoleSpec {
+  double speed = 0;   ///< U, of the pair along x [m/s]
+  double radius = 0;  ///< a, of the circle that the vortices fill [m]
+  Point centre;       ///< of that circle at the start [m]
+  bool operator==(const LambDipoleSpec&) const = default;
+};
 /// A solution that a body follows: what it may start from, is driven by, and can be compared with.
 struct ExactSpec {
   std::string body;
   std::variant<AxisAlignedMmsSpec, TaylorGreenSpec, UniformMotionSpec, BarFirstModeSpec, GeneralizedVortexSpec,
-               OscillatingDropSpec>
+               OscillatingDropSpec, LambDipoleSpec>
       solution;
   SourceRef at;
   bool operator==(const ExactSpec&) const = default;

@@ -66,9 +66,18 @@ struct OscillatingDrop {
   double density, bulk_modulus;  ///< [kg/m3], [Pa]
 };
 
+/// Two vortices of opposite sense in unbounded fluid without viscosity, which carry each other along x (Lamb 1895;
+/// Chaplygin 1903; Meleshko & van Heijst 1994): psi = f(r) y about their centre, which moves with U,
+/// f = U (1 - 2 J1(kr) / (kr J0(ka))) where r < a, J1(ka) = 0, and U a^2/r^2 beyond, without vorticity (2D).
+struct LambDipole {
+  double speed, radius;          ///< U [m/s], a [m]
+  Point centre;                  ///< at t = 0 [m]
+  double density, bulk_modulus;  ///< [kg/m3], [Pa]
+};
+
 template <int Dim>
-using ExactSolution =
-    std::variant<AxisAlignedMms, TaylorGreen, UniformMotion<Dim>, BarFirstMode, GeneralizedVortex, OscillatingDrop>;
+using ExactSolution = std::variant<AxisAlignedMms, TaylorGreen, UniformMotion<Dim>, BarFirstMode, GeneralizedVortex,
+                                   OscillatingDrop, LambDipole>;
 
 /// The material must be one that the solution is of (the scene is checked for that).
 template <int Dim>
@@ -81,8 +90,9 @@ ExactSolution<Dim> exact_solution(const Scene& scene, const std::string& body);
 /// What a solution says of one particle.
 template <int Dim>
 struct ExactPoint {
-  Vec<Dim> displacement = Vec<Dim>::Zero();  ///< since t = 0 [m]; zero for TaylorGreen, which knows only the present
-  Vec<Dim> velocity = Vec<Dim>::Zero();      ///< [m/s]
+  Vec<Dim> displacement =
+      Vec<Dim>::Zero();  ///< since t = 0 [m]; zero for TaylorGreen and LambDipole, which know only the present
+  Vec<Dim> velocity = Vec<Dim>::Zero();                                                         ///< [m/s]
   Eigen::Matrix<double, Dim, Dim> velocity_gradient = Eigen::Matrix<double, Dim, Dim>::Zero();  ///< dv_a/dx_b [1/s]
   double volume_ratio = 1;                                                                      ///< J [-]
 };
@@ -103,6 +113,14 @@ DropShape shape_at(const OscillatingDrop& drop, double t);
 template <int Dim>
 double pressure(const OscillatingDrop& drop, const Vec<Dim>& x, double t);
 
+/// Where the centre of the pair is [m].
+template <int Dim>
+Vec<Dim> centre_at(const LambDipole& pair, double t);
+
+/// Pressure of the pair [Pa], 0 far away.
+template <int Dim>
+double pressure(const LambDipole& pair, const Vec<Dim>& x, double t);
+
 /// Force per mass [m/s2] that makes a neo-Hookean body follow the solution.
 template <int Dim>
 Vec<Dim> body_force(const AxisAlignedMms& mms, const Vec<Dim>& X, double t);
@@ -112,7 +130,8 @@ Vec<Dim> body_force(const GeneralizedVortex& vortex, const Vec<Dim>& X, double t
 template <int Dim>
 Vec<Dim> body_force(const OscillatingDrop& drop, const Vec<Dim>& x, double t);
 
-/// What errors are divided by: the largest velocity (TaylorGreen: the rms one at time t; UniformMotion: the wave speed)
+/// What errors are divided by: the largest velocity (TaylorGreen: the rms one at time t; LambDipole:
+/// that of the pair; UniformMotion: the wave speed)
 /// [m/s], and the largest strain [-] (1 if there is none).
 template <int Dim>
 double velocity_scale(const ExactSolution<Dim>& solution, double t);

@@ -26,7 +26,8 @@ struct ExactProbeSpec {
     const ExactSpec& spec = *find_exact(scene, body);
     row.add(name + ".velocity_error_rms_ratio", error.velocity_rms);
     row.add(name + ".velocity_error_max_ratio", error.velocity_max);
-    if (std::holds_alternative<TaylorGreenSpec>(spec.solution)) {
+    if (std::holds_alternative<TaylorGreenSpec>(spec.solution) ||
+        std::holds_alternative<LambDipoleSpec>(spec.solution)) {
       row.add(name + ".kinetic_energy_ratio", error.kinetic_energy);
       row.add(name + ".pressure_error_rms_ratio", error.pressure_rms);
       row.add(name + ".node_density_min_ratio", error.density_min);

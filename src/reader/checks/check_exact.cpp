@@ -17,7 +17,8 @@ bool is_driven(const ExactSpec& exact) {
 
 bool is_water(const ExactSpec& exact) {
   return std::holds_alternative<TaylorGreenSpec>(exact.solution) ||
-         std::holds_alternative<OscillatingDropSpec>(exact.solution);
+         std::holds_alternative<OscillatingDropSpec>(exact.solution) ||
+         std::holds_alternative<LambDipoleSpec>(exact.solution);
 }
 
 /// What a solution is of, in the scene's words.
@@ -51,6 +52,8 @@ void check_solution(const Scene& scene, const ExactSpec& exact, const std::strin
                    " [m], so that nothing turns inside out");
   if (std::holds_alternative<OscillatingDropSpec>(exact.solution) && scene.dimension != 2)
     report.add(key + ".type", "\"oscillating_drop\" in space", "with dimension = 2");
+  if (std::holds_alternative<LambDipoleSpec>(exact.solution) && scene.dimension != 2)
+    report.add(key + ".type", "\"lamb_dipole\" in space", "with dimension = 2");
   const auto* vortex = std::get_if<GeneralizedVortexSpec>(&exact.solution);
   if (vortex && report.healthy(key + ".radius") && report.healthy(key + ".half_width") &&
       vortex->half_width >= vortex->radius)
