@@ -4,11 +4,11 @@
 #include <geodrop/measure/measure.hpp>
 
 #include "base/fixed_order_sum.hpp"
-#include "bearing_share.hpp"
 #include "materials/neo_hookean.hpp"
 #include "materials/pore_gas.hpp"
 #include "membrane/triangles.hpp"
 #include "spread.hpp"
+#include "state/bearing_share.hpp"
 
 namespace geodrop {
 namespace {

@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "base/fixed_order_sum.hpp"
-#include "bearing_share.hpp"
 #include "geometry/polygon.hpp"
 #include "mean_and_deviation.hpp"
 #include "membrane/bounds.hpp"
 #include "membrane/triangles.hpp"
+#include "state/bearing_share.hpp"
 
 namespace geodrop {
 namespace {

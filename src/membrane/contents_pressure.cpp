@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "outline.hpp"
+#include "state/bearing_share.hpp"
 
 namespace geodrop {
 
@@ -13,7 +14,8 @@ void ContentsPressure::update(const State<2>& state, const GridLayout<2>& layout
   if (body.stress[0].empty()) return;
   stress_.begin(layout, membrane);
   stress_.add(layout, body, [&](std::size_t p) {
-    return std::array<double, 3>{body.stress[0][p], body.stress[1][p], body.stress[3][p]};
+    const double share = bearing_share(body, p);
+    return std::array<double, 3>{share * body.stress[0][p], share * body.stress[1][p], share * body.stress[3][p]};
   });
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
     const MeansBeside::Sums sum = stress_.at(layout, membrane, k);

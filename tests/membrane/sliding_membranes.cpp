@@ -120,6 +120,22 @@ TEST_CASE("Cloth pulled over resting sand: T2 = T1 + mu p' s, with the pressure 
   }
 }
 
+TEST_CASE("Sand with open voids presses on the cloth with what it bears between them") {
+  State<2> state = sand_under_cloth(20e3, 7e3);
+  Body<2>& sand = state.bodies[0];
+  MohrCoulombWithVoids open{};
+  open.density = 1600;
+  open.tension_cutoff = 1e3;  // below the apex at 5196 Pa
+  open.cohesion = 3e3;
+  open.sin_phi = 0.5;
+  open.cos_phi = std::sqrt(0.75);
+  sand.material = open;
+  sand.gap.assign(sand.size(), std::log(2.0));
+  state.membranes[0].contents_friction = 0.5;
+  pull(state, 1e-3);
+  for (std::size_t k = 1; k < 64; ++k) CHECK(state.membranes[0].contents_pressure[k] == near(10e3, 1e-12));
+}
+
 TEST_CASE("Mass goes with the rest length; mass and momentum of the whole are kept") {
   Random random;
   State<2> state = sand_under_cloth(0, 0);

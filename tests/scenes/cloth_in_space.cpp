@@ -116,3 +116,18 @@ TEST_CASE("A trough that opens: one hash for 1 and 2 threads, and for a run in t
   CHECK(first.find("NumberOfPoints=\"16\"") != std::string::npos);
   CHECK(first.find("NumberOfLines=\"24\"") != std::string::npos);
 }
+
+TEST_CASE("A bag falls through water, dents its bed and lies still; pressure and friction around it carry its weight") {
+  const SceneRun run("tests/scenes/bag_lands_3d.toml", {});
+  REQUIRE(run.outcome().code == 0);
+  CHECK(run.result("fastest_m_s") < -0.8);
+  CHECK(run.result("last_velocity_m_s") < 0.03);  // 0.009
+  CHECK(run.result("lowest_m") == within(-0.3, 0.15));
+  const std::vector<double> time = run.column("time_s"), pressure = run.column("geotextile.pressure_force_z_N"),
+                            friction = run.column("geotextile.friction_force_z_N");
+  double force = 0, count = 0;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] > 1.6) force += pressure[k] + friction[k], ++count;
+  const double weight = run.column("geotextile.volume_m3").front() * 1700 * 9.81;
+  CHECK(force / count == near(weight, 0.02));  // measured 0.6 %
+}
