@@ -12,6 +12,7 @@
 #include "geometry/polygon.hpp"
 #include "grid/momentum.hpp"
 #include "measure/water_force.hpp"
+#include "membrane/triangles.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
@@ -198,6 +199,29 @@ TEST_CASE_TEMPLATE("The body gets the forces that the history tells of", Axes, P
       friction = std::max(friction, std::abs(force.friction[a]));
     }
     CHECK(friction > 1);
+  }
+}
+
+TEST_CASE("In space the wall law pulls at each triangle the way that the water slips past it") {
+  for (int axis = 0; axis < 3; ++axis) {
+    Fall<3> fall(rubs<3>());
+    const Vec<3> stream = Vec<3>::Unit(axis) + 0.5 * Vec<3>::Unit((axis + 1) % 3);
+    for (Grid<3>& grid : fall.grids)
+      for_each_node(grid.layout, 2, [&](int flat, const auto&) {
+        const bool flows = grid.field == 0 && grid.sum[flat][3] > 0;
+        for (int a = 0; a < 3; ++a) grid.velocity[flat][a] = flows ? stream[a] : 0.0;
+      });
+    join_interfaces(fall.state, fall.grids, 1e-3);
+    const Membrane<3>& membrane = fall.membrane();
+    double along = 0, all = 0;
+    for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
+      const Vec<3> normal = normal_of(membrane, t).normalized(), slip = stream - stream.dot(normal) * normal;
+      const Vec<3> shear = vector_at(membrane.triangles.water_shear, t);
+      along += shear.dot(slip.normalized());
+      all += shear.norm();
+    }
+    CAPTURE(along / all);
+    CHECK(along > 0.95 * all);
   }
 }
 
