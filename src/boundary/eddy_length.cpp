@@ -9,6 +9,7 @@
 #include "cut/outline_pieces.hpp"
 #include "cut/rough_wall.hpp"
 #include "membrane/outline.hpp"
+#include "membrane/triangles.hpp"
 
 namespace geodrop {
 namespace {
@@ -58,11 +59,9 @@ void for_each_part(const Membrane<2>& membrane, F&& f) {
 }
 template <class F>
 void for_each_part(const Membrane<3>& membrane, F&& f) {
-  const auto corner = [&](std::size_t k, std::size_t t) {
-    return vector_at(membrane.x, membrane.triangles.corner[k][t]);
-  };
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
-    f(WallPart<3>{{corner(0, t), corner(1, t), corner(2, t)}, rough_wall_share * membrane.roughness});
+    f(WallPart<3>{{corner_of(membrane, t, 0), corner_of(membrane, t, 1), corner_of(membrane, t, 2)},
+                  rough_wall_share * membrane.roughness});
 }
 
 }  // namespace

@@ -134,10 +134,9 @@ Facing<3> facing(const GridLayout<3>& layout, const Membrane<3>& membrane, const
   double area = 0;
   for_each_piece(cells, stretch, [&](const ClippedCells::Piece& piece) {
     const double size = size_of(membrane, piece.triangle);
-    for (int k = 0; k < 3; ++k) {
-      const double part = size * piece.share[static_cast<std::size_t>(k)];
-      out.middle +=
-          part * vector_at(membrane.x, membrane.triangles.corner[static_cast<std::size_t>(k)][piece.triangle]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double part = size * piece.share[k];
+      out.middle += part * corner_of(membrane, piece.triangle, k);
       area += part;
     }
   });
@@ -196,7 +195,8 @@ template <int Dim>
 void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
   const Membrane<Dim>& membrane = *contact.membrane;
   if (!membrane.bed.empty()) look_for_bed(grids.front(), cells, bed, contact);
-  if (contact.rubs() || contact.sticks()) {
+  const bool has_axes = Dim == 3 && (contact.rubs() || contact.sticks());
+  if (has_axes || membrane.shear == Shear::rough_wall) {
     const Facing<Dim> faces = facing(grids.front().layout, membrane, cells, contact.stretch);
     if (membrane.shear == Shear::rough_wall) look_outside(grids, faces, contact);
     set_axes(faces, contact);

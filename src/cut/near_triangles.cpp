@@ -49,9 +49,7 @@ NearTriangles::NearTriangles(const GridLayout<3>& layout, const Membrane<3>& mem
 }
 
 std::array<Vec<3>, 3> NearTriangles::corners_of(std::uint32_t triangle) const {
-  const auto& corner = membrane_.triangles.corner;
-  return {vector_at(membrane_.x, corner[0][triangle]), vector_at(membrane_.x, corner[1][triangle]),
-          vector_at(membrane_.x, corner[2][triangle])};
+  return {corner_of(membrane_, triangle, 0), corner_of(membrane_, triangle, 1), corner_of(membrane_, triangle, 2)};
 }
 
 /// Of triangles that meet in the nearest point, the one that x is most before or behind tells the side.

@@ -8,11 +8,12 @@
 #include <limits>
 
 namespace geodrop {
-namespace {
 
 Eigen::Vector3d corner_of(const Membrane<3>& membrane, std::size_t triangle, std::size_t k) {
   return vector_at(membrane.x, membrane.triangles.corner[k][triangle]);
 }
+
+namespace {
 
 /// S of a principal direction is T / l; a cloth without length there has none.
 double over(double tension, double stretch) { return stretch > 0 ? tension / stretch : 0.0; }

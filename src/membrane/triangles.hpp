@@ -28,6 +28,9 @@ struct ClothState {
 /// `right_cauchy_green`: C = F^T F.
 ClothState cloth_state(const Membrane<3>& membrane, const Eigen::Matrix2d& right_cauchy_green);
 
+/// Corner k of a triangle now [m].
+Eigen::Vector3d corner_of(const Membrane<3>& membrane, std::size_t triangle, std::size_t k);
+
 /// F of a triangle.
 Eigen::Matrix<double, 3, 2> deformation(const Membrane<3>& membrane, std::size_t triangle);
 
