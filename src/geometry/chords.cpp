@@ -2,6 +2,7 @@
 #include <geodrop/geometry/shapes.hpp>
 
 #include "ellipse.hpp"
+#include "polygon_edge.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -54,6 +55,26 @@ std::vector<Chord> chords_of(const PolygonShape& polygon, const Point& x, std::s
   std::vector<Chord> found;
   for (std::size_t k = 1; k < crossings.size(); k += 2) found.push_back({crossings[k - 1], crossings[k]});
   return found;
+}
+
+/// What the line has in common with the discs of both ends and with the rectangle between them: one piece, as a stadium
+/// is convex.
+std::vector<Chord> chords_of(const StadiumShape& stadium, const Point& x, std::size_t axis) {
+  const auto [from_x, from_y, to_x, to_y] = axis_of(stadium);
+  const double radius = std::min(stadium.semi_axes[0], stadium.semi_axes[1]);
+  const double length = std::hypot(to_x - from_x, to_y - from_y), scale = length > 0 ? radius / length : 0;
+  const double across_x = -scale * (to_y - from_y), across_y = scale * (to_x - from_x);
+  std::vector<Chord> pieces = chords_of(PolygonShape{{{from_x - across_x, from_y - across_y},
+                                                      {to_x - across_x, to_y - across_y},
+                                                      {to_x + across_x, to_y + across_y},
+                                                      {from_x + across_x, from_y + across_y}}},
+                                        x, axis);
+  for (const Point& end : {Point{from_x, from_y}, Point{to_x, to_y}})
+    for (const Chord& chord : chords_of(EllipseShape{end, {radius, radius}, 0}, x, axis)) pieces.push_back(chord);
+  if (pieces.empty()) return {};
+  Chord whole = pieces.front();
+  for (const Chord& piece : pieces) whole = {std::min(whole.from, piece.from), std::max(whole.to, piece.to)};
+  return {whole};
 }
 
 std::vector<Chord> chords_of(const HalfPlaneShape& half, const Point& x, std::size_t axis) {

@@ -86,6 +86,29 @@ double height_over(const HalfPlaneShape& half, const Point& x) {
   return dot / std::sqrt(norm2);
 }
 
+double radius_of(const StadiumShape& stadium) { return std::min(stadium.semi_axes[0], stadium.semi_axes[1]); }
+
+double length_of(const PolygonEdge& axis) { return std::hypot(axis.to_x - axis.from_x, axis.to_y - axis.from_y); }
+
+/// Points at equal distances along the outline, anticlockwise from the start of an end's semicircle.
+std::vector<Point> even_points(const StadiumShape& stadium, double spacing) {
+  const PolygonEdge axis = axis_of(stadium);
+  const double radius = radius_of(stadium), arc = std::numbers::pi * radius, half = arc + length_of(axis);
+  const double heading = std::atan2(axis.to_y - axis.from_y, axis.to_x - axis.from_x);
+  const auto count = std::max<std::size_t>(3, static_cast<std::size_t>(std::lround(2 * half / spacing)));
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    // One half is the semicircle about `to` with the side back to `from`, the other the same turned about the centre.
+    const double s = 2 * half * static_cast<double>(k) / static_cast<double>(count);
+    const double turned = s < half ? heading : heading + std::numbers::pi, along = s < half ? s : s - half;
+    const double angle = turned - std::numbers::pi / 2 + std::min(along, arc) / radius,
+                 back = std::max(0.0, along - arc);
+    points.push_back({(s < half ? axis.to_x : axis.from_x) + radius * std::cos(angle) - back * std::cos(turned),
+                      (s < half ? axis.to_y : axis.from_y) + radius * std::sin(angle) - back * std::sin(turned)});
+  }
+  return points;
+}
+
 // One overload per shape; the public functions visit.
 bool contains_point(const BoxShape& box, const Point& x) {
   for (std::size_t a = 0; a < x.size(); ++a) {
@@ -99,6 +122,9 @@ bool contains_point(const EllipseShape& ellipse, const Point& x) {
   for (std::size_t a = 0; a < local.size(); ++a)
     sum += local[a] * local[a] / (ellipse.semi_axes[a] * ellipse.semi_axes[a]);
   return sum <= 1;
+}
+bool contains_point(const StadiumShape& stadium, const Point& x) {
+  return distance_to(axis_of(stadium), x) <= radius_of(stadium);
 }
 bool contains_point(const PolygonShape& polygon, const Point& x) {
   bool inside = false;
@@ -131,6 +157,12 @@ Bounds bounds_of(const EllipseShape& ellipse) {
   }
   return box;
 }
+Bounds bounds_of(const StadiumShape& stadium) {
+  const auto [from_x, from_y, to_x, to_y] = axis_of(stadium);
+  const double radius = radius_of(stadium);
+  return {{std::min(from_x, to_x) - radius, std::min(from_y, to_y) - radius},
+          {std::max(from_x, to_x) + radius, std::max(from_y, to_y) + radius}};
+}
 Bounds bounds_of(const PolygonShape& polygon) {
   Bounds box{polygon.points.at(0), polygon.points.at(0)};
   for (const Point& point : polygon.points) {
@@ -153,6 +185,10 @@ Bounds bounds_of(const InsideShape& inside) {
 
 double area_of(const BoxShape& box) { return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]); }
 double area_of(const EllipseShape& ellipse) { return std::numbers::pi * ellipse.semi_axes[0] * ellipse.semi_axes[1]; }
+double area_of(const StadiumShape& stadium) {
+  const double radius = radius_of(stadium);
+  return radius * (2 * length_of(axis_of(stadium)) + std::numbers::pi * radius);
+}
 double area_of(const PolygonShape& polygon) { return std::abs(signed_area(polygon.points)); }
 double area_of(const HalfPlaneShape&) { return kInfinity; }
 double area_of(const InsideShape&) { return assert(false && "for the plane"), 0; }
@@ -162,6 +198,7 @@ std::vector<Point> outline_of(const PolygonShape& polygon, double spacing) {
   return divide_edges(corners(polygon), spacing);
 }
 std::vector<Point> outline_of(const EllipseShape& ellipse, double spacing) { return even_points(ellipse, spacing); }
+std::vector<Point> outline_of(const StadiumShape& stadium, double spacing) { return even_points(stadium, spacing); }
 std::vector<Point> outline_of(const HalfPlaneShape&, double) {
   assert(false && "a half-plane has no closed outline; clip it first");
   return {};
@@ -174,12 +211,18 @@ std::vector<Point> outline_of(const InsideShape&, double) {
 double perimeter_of(const BoxShape& box) { return length_around(corners(box)); }
 double perimeter_of(const PolygonShape& polygon) { return length_around(polygon.points); }
 double perimeter_of(const EllipseShape& ellipse) { return ellipse_perimeter(ellipse); }
+double perimeter_of(const StadiumShape& stadium) {
+  return 2 * (length_of(axis_of(stadium)) + std::numbers::pi * radius_of(stadium));
+}
 double perimeter_of(const HalfPlaneShape&) { return kInfinity; }
 double perimeter_of(const InsideShape&) { return assert(false && "for the plane"), 0; }
 
 double distance_of(const BoxShape& box, const Point& x) { return distance_around(corners(box), x); }
 double distance_of(const PolygonShape& polygon, const Point& x) { return distance_around(polygon.points, x); }
 double distance_of(const EllipseShape& ellipse, const Point& x) { return distance_to_ellipse(ellipse, x); }
+double distance_of(const StadiumShape& stadium, const Point& x) {
+  return std::abs(distance_to(axis_of(stadium), x) - radius_of(stadium));
+}
 double distance_of(const HalfPlaneShape& half, const Point& x) { return std::abs(height_over(half, x)); }
 double distance_of(const InsideShape&, const Point&) { return assert(false && "for the plane"), 0; }
 

@@ -45,6 +45,11 @@ std::optional<Shape> section_of(const PolygonShape&, std::size_t, double) {
   return std::nullopt;
 }
 
+std::optional<Shape> section_of(const StadiumShape&, std::size_t, double) {
+  assert(false && "stadiums lie in the plane");
+  return std::nullopt;
+}
+
 std::optional<Shape> section_of(const InsideShape&, std::size_t, double) {
   assert(false && "BodyRegion::share has the exact volume of these");
   return std::nullopt;

@@ -26,16 +26,9 @@ namespace {
 double filled_share(const Shape& shape) {
   if (const auto* ellipse = std::get_if<EllipseShape>(&shape))
     return ellipse->semi_axes.size() == 2 ? std::numbers::pi / 4 : std::numbers::pi / 6;
-  const auto* polygon = std::get_if<PolygonShape>(&shape);
-  if (!polygon) return 1;
-  double area = 0;
-  const std::size_t n = polygon->points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point &a = polygon->points[i], &b = polygon->points[(i + 1) % n];
-    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-  }
+  if (!std::holds_alternative<PolygonShape>(shape) && !std::holds_alternative<StadiumShape>(shape)) return 1;
   const Bounds box = bounds(shape);
-  return std::abs(area) / ((box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]));
+  return area(shape) / ((box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]));
 }
 
 template <int Dim>

@@ -40,6 +40,46 @@ TEST_CASE("ellipse: perimeter and area of the field test's container") {
   CHECK(perimeter(EllipseShape{{0, 0}, {2, 2}, 30}) == near(4 * pi, 1e-14));
 }
 
+TEST_CASE("stadium: area, perimeter and outline of a rectangle with semicircular ends") {
+  const double tilt = std::atan2(4, 3) * 180 / pi;
+  const StadiumShape stadium{{2.5, 4}, {3, 0.5}, tilt};  // 5 m between (1, 2) and (4, 6), the centres of its ends
+  const StadiumShape upright{{2.5, 4}, {0.5, 3}, tilt - 90};
+  for (const StadiumShape& shape : {stadium, upright}) {
+    CHECK(area(shape) == near(5 + pi / 4, 1e-14));
+    CHECK(perimeter(shape) == near(10 + pi, 1e-14));
+    CHECK(contains(shape, {2.5 - 0.39, 4 + 0.29}));
+    CHECK_FALSE(contains(shape, {2.5 - 0.41, 4 + 0.31}));
+    for (std::size_t a = 0; a < 2; ++a) {
+      CHECK(bounds(shape).lower[a] == near(Point{0.5, 1.5}[a], 1e-13));
+      CHECK(bounds(shape).upper[a] == near(Point{4.5, 6.5}[a], 1e-13));
+    }
+    const std::vector<Point> points = outline(shape, 0.05);
+    REQUIRE(points.size() == 263);  // 13.1416 / 0.05 = 262.8
+    CHECK(signed_area(points) == near(area(shape), 1e-3));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point &point = points[i], &next = points[(i + 1) % points.size()];
+      CHECK(distance_to_outline(shape, point) < 1e-12);
+      CHECK(std::hypot(next[0] - point[0], next[1] - point[1]) == near(perimeter(shape) / 263, 1e-3));
+    }
+  }
+  CHECK(area(StadiumShape{{0, 0}, {2, 2}, 30}) == near(4 * pi, 1e-14));
+}
+
+TEST_CASE("stadium: chords cross both straight sides, or one end, or both ends") {
+  const StadiumShape stadium{{2, 1.5}, {3, 0.5}, std::atan2(3, 4) * 180 / pi};  // ends about (0, 0) and (4, 3)
+  const auto chord = [&](double y) { return chords(stadium, {0, y}, 0); };
+  REQUIRE(chord(1.5).size() == 1);
+  CHECK(chord(1.5)[0].from == near(2 - 0.5 * 5 / 3, 1e-13));
+  CHECK(chord(1.5)[0].to == near(2 + 0.5 * 5 / 3, 1e-13));
+  REQUIRE(chord(-0.45).size() == 1);  // below the foot (0.3, -0.4) of the straight side: the disc alone
+  CHECK(chord(-0.45)[0].to == near(std::sqrt(0.25 - 0.45 * 0.45), 1e-12));
+  CHECK(chord(-0.51).empty());
+  const std::vector<Chord> along = chords(StadiumShape{{2, 0}, {2.5, 0.5}, 0}, {0, 0.3}, 0);
+  REQUIRE(along.size() == 1);
+  CHECK(along[0].from == near(-0.4, 1e-13));
+  CHECK(along[0].to == near(4.4, 1e-13));
+}
+
 TEST_CASE("ellipse: outline is anticlockwise, on the ellipse, evenly spaced by arc length") {
   const double spacing = 0.0625;
   for (const double tilt : {0.0, 35.0}) {

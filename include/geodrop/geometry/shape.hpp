@@ -21,6 +21,13 @@ struct EllipseShape {
   double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes, 2D only [degree]
   bool operator==(const EllipseShape&) const = default;
 };
+/// A rectangle with a semicircle on both of its short sides; in the plane.
+struct StadiumShape {
+  Point centre;           ///< [m]
+  Point semi_axes;        ///< half of its extents, of which the smaller is the radius of its ends [m]
+  double tilt_deg = 0.0;  ///< anticlockwise rotation of the axes [degree]
+  bool operator==(const StadiumShape&) const = default;
+};
 struct PolygonShape {
   std::vector<Point> points;  ///< [m], simple polygon, either orientation
   bool operator==(const PolygonShape&) const = default;
@@ -38,6 +45,6 @@ struct InsideShape {
   std::shared_ptr<const SurfaceRegion> region{};  ///< follows from the membrane; null until that is drawn
   bool operator==(const InsideShape& other) const { return membrane == other.membrane; }
 };
-using Shape = std::variant<BoxShape, EllipseShape, PolygonShape, HalfPlaneShape, InsideShape>;
+using Shape = std::variant<BoxShape, EllipseShape, StadiumShape, PolygonShape, HalfPlaneShape, InsideShape>;
 
 }  // namespace geodrop

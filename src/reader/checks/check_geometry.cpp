@@ -284,6 +284,8 @@ bool shape_is_sound(const Shape& shape) {
   if (const auto* polygon = std::get_if<PolygonShape>(&shape)) return polygon->points.size() >= 3;
   if (const auto* ellipse = std::get_if<EllipseShape>(&shape))
     return ellipse->centre.size() >= 2 && ellipse->semi_axes.size() == ellipse->centre.size();
+  if (const auto* stadium = std::get_if<StadiumShape>(&shape))
+    return stadium->centre.size() == 2 && stadium->semi_axes.size() == 2;
   if (const auto* box = std::get_if<BoxShape>(&shape))
     return box->lower.size() >= 2 && box->upper.size() == box->lower.size();
   if (const auto* inside = std::get_if<InsideShape>(&shape)) return inside->region != nullptr;

@@ -21,13 +21,13 @@ name = "bag"
 material = "sand"
 shape = { type = "polygon", points = [[-1.0, 4.0], [1.0, 4.0], [0.7, 5.0], [-0.7, 5.0]] }
 initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effective_pressure = 2000.0 })", {
-      key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipse", EllipseShape{}}, {"polygon", PolygonShape{}}, {"half_plane", HalfPlaneShape{}}}, required, "which shape").in(2),
+      key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipse", EllipseShape{}}, {"stadium", StadiumShape{}}, {"polygon", PolygonShape{}}, {"half_plane", HalfPlaneShape{}}}, required, "which shape; stadium: a rectangle with a semicircle on both short sides").in(2),
       key("type", itself<Shape>, {{"box", BoxShape{}}, {"ellipsoid", EllipseShape{}}, {"half_space", HalfPlaneShape{}}, {"inside", InsideShape{}}}, required, "which shape; inside: what a membrane encloses as it is drawn").in(3),
       key("lower", &BoxShape::lower, "m", required, any, "lower corner").only("type=box"),
       key("upper", &BoxShape::upper, "m", required, any, "upper corner").only("type=box"),
-      key("centre", &EllipseShape::centre, "m", required, any, "centre").only("type=ellipse|ellipsoid"),
-      key("semi_axes", &EllipseShape::semi_axes, "m", required, positive, "half lengths of the axes; those of an ellipsoid lie along x, y, z").only("type=ellipse|ellipsoid"),
-      key("tilt_deg", &EllipseShape::tilt_deg, "degree", standard("0.0"), any, "anticlockwise rotation of the axes").only("type=ellipse"),
+      key("centre", Either(&EllipseShape::centre, &StadiumShape::centre), "m", required, any, "centre").only("type=ellipse|stadium|ellipsoid"),
+      key("semi_axes", Either(&EllipseShape::semi_axes, &StadiumShape::semi_axes), "m", required, positive, "half lengths of the axes; those of an ellipsoid lie along x, y, z; the smaller one is the radius of a stadium's ends").only("type=ellipse|stadium|ellipsoid"),
+      key("tilt_deg", Either(&EllipseShape::tilt_deg, &StadiumShape::tilt_deg), "degree", standard("0.0"), any, "anticlockwise rotation of the axes").only("type=ellipse|stadium"),
       key("points", &PolygonShape::points, "m", required, any, "at least 3 corners of a polygon that does not cross itself, in either sense").only("type=polygon"),
       key("point", &HalfPlaneShape::point, "m", required, any, "a point of the boundary").only("type=half_plane|half_space"),
       key("normal", &HalfPlaneShape::normal, "", required, any, "points out of the body; of any length").only("type=half_plane|half_space"),
