@@ -9,7 +9,8 @@
 
 namespace geodrop {
 
-void ContentsPressure::update(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane) {
+void ContentsPressure::update(const State<2>& state, const Grid<2>& grid, Membrane<2>& membrane) {
+  const GridLayout<2>& layout = grid.layout;
   const Body<2>& body = find_named(state.bodies, membrane.body);
   if (body.stress[0].empty()) return;
   stress_.begin(layout, membrane);
@@ -22,7 +23,8 @@ void ContentsPressure::update(const State<2>& state, const GridLayout<2>& layout
     const auto [xx, yy, xy] = sum.value;
     const auto [tx, ty] = tangent_at(membrane, k);
     const double pulled = xx * ty * ty + yy * tx * tx - 2 * xy * tx * ty;  // n . sigma n
-    membrane.contents_pressure[k] = sum.volume > 0 ? std::max(0.0, -pulled / sum.volume) : 0.0;
+    const double room = grid.taken.empty() ? sum.volume : std::max(sum.volume, stress_.room(grid, membrane, k));
+    membrane.contents_pressure[k] = room > 0 ? std::max(0.0, -pulled / room) : 0.0;
   }
 }
 

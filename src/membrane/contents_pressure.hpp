@@ -8,8 +8,10 @@ namespace geodrop {
 /// Keeps its arrays from one step to the next.
 class ContentsPressure {
  public:
-  /// Renews Membrane::contents_pressure: p' = max(0, -n . sigma' n), n across the line at each node [Pa].
-  void update(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane);
+  /// Renews Membrane::contents_pressure: p' = max(0, -n . sigma' n), n across the line at each node [Pa]. The mean is
+  /// that over the soil; inside a sharp membrane, whose room is known, over soil and voids: an empty corner bears
+  /// nothing. grid: of the membrane's field.
+  void update(const State<2>& state, const Grid<2>& grid, Membrane<2>& membrane);
 
  private:
   MeansBeside stress_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grid/neighbourhood.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -14,6 +16,20 @@ int node_below(const GridLayout<2>& layout, int axis, double x) {
 std::array<double, 4> weights(const std::array<double, 2>& share) {
   const auto [u, v] = share;
   return {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+}
+
+/// Integral of the linear function of a node over the room of its field [m2].
+double room_of(const Grid<2>& grid, const std::array<int, 2>& node) {
+  constexpr double share[] = {0.125, 0.75, 0.125};  // of cells of a width, whose middles the nodes are
+  double room = 0;
+  for_neighbourhood(grid.layout, grid.layout.index(node), [&](int cell, const std::array<int, 2>& side) {
+    double size = 1 - grid.taken[cell];
+    for (std::size_t a = 0; a < 2; ++a)
+      size *= share[side[a]] *
+              grid.layout.span_shape(static_cast<int>(a), node[a] + side[a] - 1 + GridLayout<2>::pad).width;
+    room += size;
+  });
+  return room;
 }
 
 }  // namespace
@@ -73,6 +89,15 @@ MeansBeside::Sums MeansBeside::at(const GridLayout<2>& layout, const Membrane<2>
     for (int i = 0; i < 3; ++i) mean.value[i] += weight[c] * sum.value[i];
   }
   return mean;
+}
+
+double MeansBeside::room(const Grid<2>& grid, const Membrane<2>& membrane, std::size_t k) const {
+  const Place at = place(grid.layout, membrane.x[0][k], membrane.x[1][k]);
+  const std::array<double, 4> weight = weights(at.share);
+  double room = 0;
+  for (int c = 0; c < 4; ++c)
+    room += weight[c] * room_of(grid, {first_[0] + at.node[0] + c % 2, first_[1] + at.node[1] + c / 2});
+  return room;
 }
 
 }  // namespace geodrop

@@ -35,6 +35,9 @@ class MeansBeside {
   /// Sums around a node of the membrane.
   Sums at(const GridLayout<2>& layout, const Membrane<2>& membrane, std::size_t k) const;
 
+  /// Room around a node of the membrane, in whose field the grid is, less what bodies of other fields have of it [m2].
+  double room(const Grid<2>& grid, const Membrane<2>& membrane, std::size_t k) const;
+
  private:
   struct Place {
     std::array<int, 2> node;      ///< lower left node of the four around, in the box

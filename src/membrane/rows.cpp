@@ -61,7 +61,7 @@ Row<2> slide_membranes_row(const Scene& scene) {
               Data::position | Data::mass | Data::volume_ratio | Data::stress,
           Data::membrane_cloth | Data::membrane_velocity, any_membrane_slides(scene),
           [slide = MembraneSlide({scene.gravity[0], scene.gravity[1]})](
-              State<2>& s, const Grids<2>& f, const StepContext&) mutable { slide.slide(s, f.front().layout); }};
+              State<2>& s, const Grids<2>& f, const StepContext&) mutable { slide.slide(s, f); }};
 }
 
 template <int Dim>

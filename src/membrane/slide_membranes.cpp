@@ -122,10 +122,10 @@ void MembraneSlide::move_mass(Membrane<2>& membrane) {
     for (std::size_t k = 0; k < membrane.nodes(); ++k) membrane.v[a][k] = momentum_[a][k] / membrane.mass[k];
 }
 
-void MembraneSlide::slide(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane) {
+void MembraneSlide::slide(const State<2>& state, const Grid<2>& grid, Membrane<2>& membrane) {
   gather(state, membrane);
   if (membrane.contents_friction > 0) {
-    pressure_.update(state, layout, membrane);
+    pressure_.update(state, grid, membrane);
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const double length = half_length(cloth_, k);
       cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;
@@ -140,9 +140,9 @@ void MembraneSlide::slide(const State<2>& state, const GridLayout<2>& layout, Me
   move_mass(membrane);
 }
 
-void MembraneSlide::slide(State<2>& state, const GridLayout<2>& layout) {
+void MembraneSlide::slide(State<2>& state, const Grids<2>& grids) {
   for (Membrane<2>& membrane : state.membranes)
-    if (membrane.slides() && membrane.field != waiting) slide(state, layout, membrane);
+    if (membrane.slides() && membrane.field != waiting) slide(state, grids[membrane.field], membrane);
 }
 
 }  // namespace geodrop

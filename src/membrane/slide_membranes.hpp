@@ -19,10 +19,10 @@ class MembraneSlide {
   explicit MembraneSlide(const std::array<double, 2>& gravity) : gravity_(gravity) {}
 
   /// Renews rest length, mass, velocity of nodes and contents_pressure of all membranes that slide.
-  void slide(State<2>& state, const GridLayout<2>& layout);
+  void slide(State<2>& state, const Grids<2>& grids);
 
  private:
-  void slide(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane);
+  void slide(const State<2>& state, const Grid<2>& grid, Membrane<2>& membrane);
   void gather(const State<2>& state, const Membrane<2>& membrane);
   void slide(Cloth& cloth, double contents_friction);
   void slide_between(const std::vector<LinePart>& parts, double contents_friction);

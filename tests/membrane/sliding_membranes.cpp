@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "membrane/contents_pressure.hpp"
 #include "membrane/even_out_nodes.hpp"
 #include "membrane/membrane_force.hpp"
 #include "membrane/outline.hpp"
@@ -75,23 +76,25 @@ State<2> sand_under_cloth(double vertical, double horizontal) {
   return state;
 }
 
-GridLayout<2> layout_of_quarter_metres() {
+Grids<2> grid_of_quarter_metres() {
   GridSpec grid;
   grid.lower = {-4, -4};
   grid.upper = {8, 4};
   grid.spacing = 0.25;
   const std::vector<WallKind> slip(2, WallKind::slip);
-  return {grid, WallsSpec{slip, slip}};
+  Grids<2> grids(1);
+  grids[0].layout = GridLayout<2>(grid, WallsSpec{slip, slip});
+  return grids;
 }
 
 /// Pulls the last node on by `way` in small steps, as the grid would.
 void pull(State<2>& state, double way) {
   constexpr int steps = 400;
-  const GridLayout<2> layout = layout_of_quarter_metres();
+  const Grids<2> grids = grid_of_quarter_metres();
   MembraneSlide slide({0, 0});
   for (int step = 0; step < steps; ++step) {
     state.membranes[0].x[0].back() += way / steps;
-    slide.slide(state, layout);
+    slide.slide(state, grids);
   }
   update_tension(state.membranes[0]);
 }
@@ -136,6 +139,31 @@ TEST_CASE("Sand with open voids presses on the cloth with what it bears between 
   for (std::size_t k = 1; k < 64; ++k) CHECK(state.membranes[0].contents_pressure[k] == near(10e3, 1e-12));
 }
 
+TEST_CASE(
+    "Inside a sharp membrane an empty corner presses on nothing, one half full of sand with half of its pressure") {
+  State<2> state = sand_under_cloth(20e3, 7e3);
+  Grids<2> grids = grid_of_quarter_metres();
+  Grid<2>& grid = grids[0];
+  grid.taken.assign(grid.layout.nodes(), 0.0);
+  for_each_node(grid.layout, 0, [&](int cell, const std::array<int, 2>& at) {
+    const double middle = grid.layout.node(1, at[1]);  // of the cell; what lies above y = 0 is another body's
+    grid.taken[cell] = std::clamp(0.5 + middle / grid.layout.h, 0.0, 1.0);
+  });
+  Body<2>& sand = state.bodies[0];
+  // Of each two columns one is there; from x = 4 m on all are, and beyond x = 5 m none.
+  for (std::size_t p = 0; p < sand.size(); ++p) {
+    const bool even = static_cast<int>(sand.x[0][p] / 0.125) % 2 == 0;
+    if (sand.x[0][p] < 4 ? !even : sand.x[0][p] > 5) sand.mass[p] = 0;
+  }
+  ContentsPressure().update(state, grid, state.membranes[0]);
+  const auto pressure_at = [&](double x) {
+    return state.membranes[0].contents_pressure[static_cast<std::size_t>(std::lround((x - 1) / 0.0625))];
+  };
+  CHECK(pressure_at(2.5) == near(10e3, 1e-12));
+  CHECK(pressure_at(4.5) == near(20e3, 1e-12));
+  CHECK(pressure_at(5.0) == near(10e3, 1e-12));
+}
+
 TEST_CASE("Mass goes with the rest length; mass and momentum of the whole are kept") {
   Random random;
   State<2> state = sand_under_cloth(0, 0);
@@ -150,7 +178,7 @@ TEST_CASE("Mass goes with the rest length; mass and momentum of the whole are ke
     for (int a = 0; a < 2; ++a)
       for (std::size_t k = 0; k < cloth.nodes(); ++k) momentum[a] += cloth.mass[k] * cloth.v[a][k];
     cloth.contents_friction = closed ? 0 : 0.3;
-    MembraneSlide({0, -9.81}).slide(state, layout_of_quarter_metres());
+    MembraneSlide({0, -9.81}).slide(state, grid_of_quarter_metres());
     CHECK(sum(cloth.rest_length) == near(rest, 1e-14));
     CHECK(sum(cloth.mass) == near(mass, 1e-14));
     double changed = 0;
@@ -187,7 +215,7 @@ TEST_CASE("Cloth that passes whole nodes in a step takes their velocities along;
     for (auto& v : cloth.v)
       for (double& component : v) component = random.uniform(-1, 1);
     const auto before = cloth.v;
-    MembraneSlide({0, 0}).slide(state, layout_of_quarter_metres());
+    MembraneSlide({0, 0}).slide(state, grid_of_quarter_metres());
     for (std::size_t k = 0; k < nodes; ++k)
       for (int a = 0; a < 2; ++a)
         CHECK(cloth.v[a][k] == within(before[a][(k + nodes + (way > 0 ? -passes : passes)) % nodes], 1e-9));
@@ -201,7 +229,7 @@ TEST_CASE("A hanging cloth over a fluid bears its own weight: T grows by it with
   Membrane<2>& cloth = state.membranes[0] = line_through(points, false);
   cloth.contents_friction = 0;
   for (double& y : cloth.x[1]) y *= 1.001;
-  MembraneSlide({0, -9.81}).slide(state, layout_of_quarter_metres());
+  MembraneSlide({0, -9.81}).slide(state, grid_of_quarter_metres());
   update_tension(cloth);
   CHECK(cloth.tension[19] - cloth.tension[0] == near(1.9 * cloth_density * 9.81, 1e-3));
 }
@@ -267,7 +295,7 @@ TEST_CASE("Nothing slides where an anchor grips the cloth; beyond, over water, o
     Random random;
     for (double& rest : cloth.rest_length) rest *= random.uniform(0.97, 0.99);
     const Array<double> before = cloth.rest_length;
-    MembraneSlide({0, 0}).slide(state, layout_of_quarter_metres());
+    MembraneSlide({0, 0}).slide(state, grid_of_quarter_metres());
     update_tension(cloth);
     for (std::size_t k = 0; k < 2 * grip; ++k) {
       const std::size_t s = (anchor.node - grip + k) % nodes;
