@@ -37,7 +37,8 @@ if(GEODROP_MARCH)
 endif()
 
 # Tests call; what they compile themselves needs no speed. -O1 lets g++ 12 see overlaps inside std::string that are not there.
-set(GEODROP_TEST_OPTIONS -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
+set(GEODROP_TEST_OPTIONS -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+    $<$<AND:$<BOOL:${GEODROP_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 
 if(GEODROP_SANITIZE)
   set(GEODROP_TEST_OPTIONS "")

@@ -2,19 +2,23 @@
 find_package(doctest REQUIRED)
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.cpp")
+# Compiled for each build: what asks for the place of the program, for NDEBUG or for sanitizers.
+set(own_tests main.cpp support/paths.cpp step/written_fields.cpp command_line/exit_codes.cpp
+              fuzz/calculators.cpp fuzz/checkpoint.cpp fuzz/overrides.cpp fuzz/scene.cpp)
+list(TRANSFORM own_tests PREPEND "${PROJECT_SOURCE_DIR}/tests/")
+set(compiled_tests ${test_sources})
+list(REMOVE_ITEM compiled_tests ${own_tests})
+if(GEODROP_UNITY)
+  include(together)
+  put_together(compiled_tests)
+endif()
 if(GEODROP_TEST_OBJECTS)
-  # Alone compiled here: what asks for the place of the program, for NDEBUG or for sanitizers. The core comes first: of an inline
-  # function that is compiled there and here, the linker takes the one with sanitizers.
-  set(own_tests main.cpp support/paths.cpp step/written_fields.cpp command_line/exit_codes.cpp
-                fuzz/calculators.cpp fuzz/checkpoint.cpp fuzz/overrides.cpp fuzz/scene.cpp)
-  list(TRANSFORM own_tests PREPEND "${PROJECT_SOURCE_DIR}/tests/")
+  # The core comes first: of an inline function that is compiled there and here, the linker takes the one with sanitizers.
   add_executable(geodrop_tests ${own_tests})
-  set(compiled_tests ${test_sources})
-  list(REMOVE_ITEM compiled_tests ${own_tests})
-  list(TRANSFORM compiled_tests REPLACE "^${PROJECT_SOURCE_DIR}/(.*)$" "${GEODROP_TEST_OBJECTS}/\\1.o")
+  list(TRANSFORM compiled_tests REPLACE "^(${PROJECT_BINARY_DIR}|${PROJECT_SOURCE_DIR})/(.*)$" "${GEODROP_TEST_OBJECTS}/\\2.o")
   target_link_libraries(geodrop_tests PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,geodrop_core> ${compiled_tests} doctest::doctest)
 else()
-  add_executable(geodrop_tests ${test_sources})
+  add_executable(geodrop_tests ${own_tests} ${compiled_tests})
   target_link_libraries(geodrop_tests PRIVATE geodrop_core doctest::doctest)
 endif()
 target_include_directories(geodrop_tests PRIVATE tests)
@@ -53,6 +57,14 @@ foreach(source IN LISTS test_sources)
     SKIP_RETURN_CODE 77  # support/not_tested
     ENVIRONMENT "OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive;OMP_NUM_THREADS=2"
     FAIL_REGULAR_EXPRESSION "test cases: +0 [|]")
+endforeach()
+
+# Longest first, or one core runs the last of them alone: ctest knows how long a test takes only once it has run there.
+set(cost 100)
+foreach(name scenes/dumping invariants/threads scenes/geotube scenes/stacked_tubes scenes/capstan scenes/drag scenes/graded
+             scenes/release scenes/silent_side)
+  set_tests_properties("${name}" PROPERTIES COST "${cost}")
+  math(EXPR cost "${cost} - 10")
 endforeach()
 
 # The golden hashes with the kernels of lesser processors as well; a build for one processor has no choice.
