@@ -174,11 +174,11 @@ Solution solve(const System& system, const std::vector<bool>& only_pushes, const
 /// for velocities after it.
 template <int Dim>
 System system_of(ContactRows<Dim>& rows, SparseRows& E, double dt) {
-  const SparseRows drag = rows.rows().drag(dt);
+  const Drag drag = rows.rows().drag(dt);
   E = rows.rows().matrix();
   const Eigen::VectorXd velocity_rate = rows.rows().scaled_velocities() / dt;
-  if (drag.size() == 0) return {times_transpose(E, E), E * velocity_rate};
-  const SparseRows dragged = E * drag;
+  if (drag.empty()) return {times_transpose(E, E), E * velocity_rate};
+  const SparseRows dragged = times(E, drag);
   return {times_transpose(dragged, E), dragged * velocity_rate};
 }
 
