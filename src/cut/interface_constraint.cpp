@@ -138,7 +138,10 @@ struct System {
 Solution solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen::VectorXd& guess) {
   constexpr double tolerance = 1e-8;  // of the gaps' rate
   constexpr int most_iterations = 1000;
-  Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper> solver(S);
+  // Rows stand in the order of the outline. With the diagonal alone 98 iterations in the place of 3
+  // (main case, 116 rows).
+  using Preconditioner = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+  Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper, Preconditioner> solver(S);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(most_iterations);
   Eigen::VectorXd traction = solver.solveWithGuess(gap_rate, guess);
