@@ -42,8 +42,8 @@ double cell_size(const GridLayout<Dim>& layout, int flat) {
   return size;
 }
 
-/// A box of cells as places, wider by about half a cell: for the many particles that are not there a comparison takes the
-/// place of the search for their cell.
+/// A box of cells as places, wider by about half a cell: for the many particles that are not there a comparison takes
+/// the place of the search for their cell.
 template <int Dim>
 class BoxOfCells {
  public:
