@@ -42,6 +42,40 @@ double cell_size(const GridLayout<Dim>& layout, int flat) {
   return size;
 }
 
+/// A box of cells as places, wider by about half a cell: for the many particles that are not there a comparison takes
+/// the place of the search for their cell.
+template <int Dim>
+class BoxOfCells {
+ public:
+  /// first, last: stored coordinates of the cells, both in the box.
+  BoxOfCells(const GridLayout<Dim>& layout, const std::array<int, Dim>& first, const std::array<int, Dim>& last) {
+    for (int a = 0; a < Dim; ++a) {
+      lower_[a] = layout.node(a, first[a] - 1 - GridLayout<Dim>::pad);
+      upper_[a] = layout.node(a, last[a] + 1 - GridLayout<Dim>::pad);
+    }
+  }
+
+  /// The box around an outline.
+  BoxOfCells(const GridLayout<Dim>& layout, const Outline<Dim>& cells)
+      : BoxOfCells(layout, cells.first, last_of(cells)) {}
+
+  /// x: coordinates of points, an array for each axis.
+  bool may_hold(const std::array<Array<double>, Dim>& x, std::size_t point) const {
+    for (int a = 0; a < Dim; ++a)
+      if (!(x[a][point] >= lower_[a] && x[a][point] <= upper_[a])) return false;
+    return true;
+  }
+
+ private:
+  static std::array<int, Dim> last_of(const Outline<Dim>& cells) {
+    std::array<int, Dim> last;
+    for (int a = 0; a < Dim; ++a) last[a] = cells.first[a] + cells.count[a] - 1;
+    return last;
+  }
+
+  std::array<double, Dim> lower_, upper_;
+};
+
 /// Width of a cell where it is narrowest [m].
 template <int Dim>
 double least_width(const GridLayout<Dim>& layout, int flat) {

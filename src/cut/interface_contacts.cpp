@@ -42,7 +42,9 @@ BedCells bed_around(const State<Dim>& state, const GridLayout<Dim>& layout, cons
                     const Outline<Dim>& cells) {
   BedCells out{Array<double>(cells.size(), 0.0), Array<double>(cells.size(), 0.0)};
   const Body<Dim>& bed = find_named(state.bodies, membrane.bed);
+  const BoxOfCells<Dim> box(layout, cells);
   for (std::size_t p = 0; p < bed.size(); ++p) {
+    if (!box.may_hold(bed.x, p)) continue;
     const int cell = local_cell(layout, cells, vector_at(bed.x, p));
     if (cell < 0) continue;
     const double volume = bed.volume(p);

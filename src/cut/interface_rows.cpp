@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "cells_around.hpp"
@@ -351,7 +352,7 @@ SparseRows Rows<Dim>::matrix() const {
 }
 
 template <int Dim>
-SparseRows Rows<Dim>::drag(double dt) {
+Drag Rows<Dim>::drag(double dt) {
   struct Pair {
     int water, soil;
     double water_share, soil_share;  // dt c / m
@@ -371,24 +372,44 @@ SparseRows Rows<Dim>::drag(double dt) {
     pairs.push_back({water_column, soil_column, c / around.sum[node][3], c / grid.sum[node][3]});
   }
   if (pairs.empty()) return {};
-  const auto n = static_cast<Eigen::Index>(Dim * columns_.places().size());
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<bool> paired(n, false);
+  Drag out(Dim * columns_.places().size());
   for (const auto& [water, soil, of_water, of_soil] : pairs)
     for (int a = 0; a < Dim; ++a) {
-      if (paired[water + a] /* both of a pair name it */ || columns_.places()[water / Dim].fixed[a]) continue;
+      if (out[water + a].partner >= 0 /* both of a pair name it */ || columns_.places()[water / Dim].fixed[a]) continue;
       const double scale = 1 / (1 + of_water + of_soil), both = std::sqrt(of_water * of_soil) * scale;
-      entries.emplace_back(water + a, water + a, (1 + of_soil) * scale);
-      entries.emplace_back(soil + a, soil + a, (1 + of_water) * scale);
-      entries.emplace_back(water + a, soil + a, both);
-      entries.emplace_back(soil + a, water + a, both);
-      paired[water + a] = paired[soil + a] = true;
+      out[water + a] = {(1 + of_soil) * scale, both, soil + a};
+      out[soil + a] = {(1 + of_water) * scale, both, water + a};
     }
-  for (Eigen::Index k = 0; k < n; ++k)
-    if (!paired[k]) entries.emplace_back(k, k, 1.0);
-  SparseRows out(n, n);
-  out.setFromTriplets(entries.begin(), entries.end());
   return out;
+}
+
+SparseRows times(const SparseRows& E, const Drag& K) {
+  SparseRows product(E.rows(), E.cols());
+  product.reserve(2 * E.nonZeros());
+  std::vector<double> sum(E.cols());
+  std::vector<std::uint8_t> met(E.cols(), 0);
+  for (int r = 0; r < E.rows(); ++r) {
+    int first = static_cast<int>(E.cols()), last = -1;
+    const auto add = [&](int column, double value) {
+      sum[column] = met[column] ? sum[column] + value : value;
+      met[column] = 1;
+      first = std::min(first, column);
+      last = std::max(last, column);
+    };
+    for (SparseRows::InnerIterator entry(E, r); entry; ++entry) {
+      const auto& [own, both, partner] = K[entry.col()];
+      add(static_cast<int>(entry.col()), entry.value() * own);
+      if (partner >= 0) add(partner, entry.value() * both);
+    }
+    product.startVec(r);
+    for (int c = first; c <= last; ++c)
+      if (met[c]) {
+        product.insertBack(r, c) = sum[c];
+        met[c] = 0;
+      }
+  }
+  product.finalize();
+  return product;
 }
 
 template <int Dim>

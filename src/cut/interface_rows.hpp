@@ -110,6 +110,16 @@ RawRow<Dim> make_row(const Grids<Dim>& grids, int field, const std::vector<NodeV
 /// The row along an outline from the one normal to it: all vectors a quarter turn anticlockwise.
 RawRow<2> along(RawRow<2> normal);
 
+/// A symmetric matrix that links each column with one other at most.
+struct DragAt {
+  double own = 1, both = 0;  ///< on the diagonal, and between the two
+  int partner = -1;
+};
+using Drag = std::vector<DragAt>;
+
+/// E K; each sum has two terms at most, whose order does not matter.
+SparseRows times(const SparseRows& E, const Drag& K);
+
 /// Builds E M^-1/2 row by row.
 template <int Dim>
 class Rows {
@@ -124,7 +134,7 @@ class Rows {
 
   /// What the drag between soils and the water in their pores leaves of a step's impulses at the columns, implicitly as
   /// in pores/pores: (1 + dt M^-1/2 C M^-1/2)^-1; adds the columns of their partners. Empty if nothing drags there.
-  SparseRows drag(double dt);
+  Drag drag(double dt);
 
   /// M^1/2 v of the columns [kg^1/2 m/s].
   Eigen::VectorXd scaled_velocities() const;

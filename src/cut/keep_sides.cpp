@@ -103,13 +103,13 @@ class NearEdges {
   std::vector<int> begin_, edges_;  ///< of each cell: edges_[begin_[cell]] to edges_[begin_[cell + 1] - 1]
 };
 
-/// Particles of a body in cells that it shares.
+/// Particles of a body in cells of the box that it shares.
 template <int Dim, class Near>
-void keep_body(const Grid<Dim>& grid, const Near& surface, bool inside, Body<Dim>& body) {
+void keep_body(const Grid<Dim>& grid, const BoxOfCells<Dim>& box, const Near& surface, bool inside, Body<Dim>& body) {
   const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t p = 0; p < n; ++p) {
-    if (grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
+    if (!box.may_hold(body.x, p) || grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
     const Vec<Dim> to = surface.on_side(vector_at(body.x, p), inside);
     for (int a = 0; a < Dim; ++a) body.x[a][p] = to[a];
   }
@@ -123,11 +123,13 @@ void keep_sides(State<Dim>& state, const Grids<Dim>& grids) {
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    const Near surface(grids.front().layout, membrane, grids[membrane.field].outline);
+    const Outline<Dim>& outline = grids[membrane.field].outline;
+    const Near surface(grids.front().layout, membrane, outline);
+    const BoxOfCells<Dim> box(grids.front().layout, outline);
     const int water = grids[membrane.field].pore_water;
     for (Body<Dim>& body : state.bodies)
       if (body.field != waiting && (body.field == membrane.field || body.field == 0 || body.field == water))
-        keep_body(grids[body.field], surface, body.field != 0, body);
+        keep_body(grids[body.field], box, surface, body.field != 0, body);
   }
 }
 

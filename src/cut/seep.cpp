@@ -24,10 +24,11 @@ class Pools {
   Pools(const Grid<2>& grid, Body<2>& body) : grid_(grid), body_(body) {
     for (const PartCell<2>& part : grid.part_cells)
       if (part.host >= 0) host_.emplace_back(part.flat, part.host);
+    if (host_.empty()) return;
     std::sort(host_.begin(), host_.end());
     find_members();
-    for (const auto& [p, host] : members_) {
-      Pool& pool = pools_[host];
+    for (const auto& [p, of_cell] : members_) {
+      Pool& pool = *of_cell;
       pool.mass += body.mass[p];
       pool.volume += body.volume(p);
       for (int a = 0; a < 2; ++a) pool.momentum[a] += body.mass[p] * body.v[a][p];
@@ -43,8 +44,8 @@ class Pools {
 
   /// Particles give a share of their mass each, and take a share of what comes by theirs.
   void hand_over() {
-    for (const auto& [p, host] : members_) {
-      const Pool& pool = pools_.at(host);
+    for (const auto& [p, of_cell] : members_) {
+      const Pool& pool = *of_cell;
       const double kept = body_.mass[p] * (1 - pool.given / pool.mass), part = body_.mass[p] / pool.mass;
       const double mass = kept + part * pool.taken;
       for (int a = 0; a < 2; ++a) body_.v[a][p] = (kept * body_.v[a][p] + part * pool.taken_speed[a]) / mass;
@@ -58,21 +59,37 @@ class Pools {
     return place != host_.end() && place->first == flat ? place->second : -1;
   }
 
+  BoxOfCells<2> box_of_parts() const {
+    std::array<int, 2> first = stored_cell(grid_.layout, host_.front().first), last = first;
+    for (const auto& [flat, host] : host_)
+      for (int a = 0; a < 2; ++a) {
+        first[a] = std::min(first[a], stored_cell(grid_.layout, flat)[a]);
+        last[a] = std::max(last[a], stored_cell(grid_.layout, flat)[a]);
+      }
+    return {grid_.layout, first, last};
+  }
+
   /// Particles of a cell stand together for the most part.
   void find_members() {
-    int last = -1, host = -1;
+    const BoxOfCells<2> box = box_of_parts();
+    int last = -1;
+    Pool* pool = nullptr;
     for (std::size_t p = 0; p < body_.size(); ++p) {
+      if (!box.may_hold(body_.x, p)) continue;
       const int flat = cell_at(grid_.layout, body_.x, p);
-      if (flat != last) host = host_of(last = flat);
-      if (host >= 0) members_.emplace_back(p, host);
+      if (flat != last) {
+        const int host = host_of(last = flat);
+        pool = host >= 0 ? &pools_[host] : nullptr;
+      }
+      if (pool) members_.emplace_back(p, pool);
     }
   }
 
   const Grid<2>& grid_;
   Body<2>& body_;
-  std::vector<std::pair<int, int>> host_;             ///< of each part, by flat index
-  std::vector<std::pair<std::size_t, int>> members_;  ///< particles with their hosts
-  std::map<int, Pool> pools_;                         ///< by host
+  std::vector<std::pair<int, int>> host_;               ///< of each part, by flat index
+  std::vector<std::pair<std::size_t, Pool*>> members_;  ///< particles with the pools of their hosts
+  std::map<int, Pool> pools_;                           ///< by host
 };
 
 /// Volume that flows outwards through each cell in a step [m3].

@@ -97,22 +97,45 @@ bool filled_with_rigid(const Grid<Dim>& grid, int flat) {
   return grid.cell_volume[flat] >= (filled_ratio - grid.rigid_cells[flat]) * whole;
 }
 
+/// For each cell of a row whether filled(flat) holds in its whole neighbourhood.
+template <int Dim, class F>
+std::array<bool, GridLayout<Dim>::block_width[0]> all_around(const GridLayout<Dim>& layout, int begin, int count,
+                                                             std::array<int, Dim> cell, F&& filled) {
+  std::array<bool, GridLayout<Dim>::block_width[0]> all;
+  all.fill(true);
+  if (!far_from_walls<Dim>(layout, count, cell)) {
+    for (int k = 0; k < count; ++k, ++cell[0])
+      for_neighbourhood(layout, begin + k, [&](int, const std::array<int, Dim>& a) {
+        all[k] = all[k] && filled(mirrored<Dim>(layout, cell, a));
+      });
+    return all;
+  }
+  std::array<bool, GridLayout<Dim>::block_width[0] + 2> column;  // cells beside each other across x, from begin - 1 on
+  column.fill(true);
+  for_rows_around<Dim>(layout, [&](int offset, int, int) {
+    for (int k = 0; k < count + 2; ++k) column[k] = column[k] && filled(begin + offset + k - 1);
+  });
+  for (int k = 0; k < count; ++k) all[k] = column[k] && column[k + 1] && column[k + 2];
+  return all;
+}
+
 /// A cell is shiftable where its whole neighbourhood is filled, by rigid bodies too.
 template <int Dim>
 void mark_shiftable(const State<Dim>& state, Grid<Dim>& grid) {
-  // Neighbours in other blocks read the filled bit while this thread sets the shiftable bit of the same byte.
+  // Neighbours in other blocks read the filled bit while this thread, the only one that writes the byte, sets the
+  // shiftable bit.
   constexpr auto relaxed = std::memory_order_relaxed;
-  const auto flag = [&](int cell) { return std::atomic_ref<std::uint8_t>(grid.cell_flags[cell]); };
-  for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
-    const bool interior = far_from_walls<Dim>(grid.layout, count, cell);
-    for (int k = 0; k < count; ++k, ++cell[0]) {
-      bool full = true;
-      for_neighbourhood(grid.layout, begin + k, [&](int other, const std::array<int, Dim>& a) {
-        const int there = interior ? other : mirrored<Dim>(grid.layout, cell, a);
-        full = full && ((flag(there).load(relaxed) & cell_filled) || filled_with_rigid(grid, there));
-      });
-      if (full) flag(begin + k).fetch_or(cell_shiftable, relaxed);
-    }
+  std::uint8_t* const flags = grid.cell_flags.data();
+  const auto filled = [&grid, flags](int cell) {
+    return (std::atomic_ref(flags[cell]).load(relaxed) & cell_filled) != 0 || filled_with_rigid(grid, cell);
+  };
+  for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>& cell) {
+    const auto full = all_around<Dim>(grid.layout, begin, count, cell, filled);
+    for (int k = 0; k < count; ++k)
+      if (full[k]) {
+        const std::atomic_ref flag(flags[begin + k]);
+        flag.store(static_cast<std::uint8_t>(flag.load(relaxed) | cell_shiftable), relaxed);
+      }
   });
   block_shift_near_membranes(state, grid);
 }

@@ -80,8 +80,10 @@ void add_interior_flux(const Grid<Dim>& grid, int begin, int count, std::array<d
     const double x_weight = 0.5 * value_y * value_z, y_weight = interior_slope[y] * value_z;
     const double z_weight = Dim == 3 ? value_y * interior_slope[z] : 0.0;
     for (int k = 0; k < count; ++k) {
-      const Vec4 mean = interior_value[0] * (v[k - 1] + v[k + 1]) + interior_value[1] * v[k];
-      flux[k] += x_weight * (v[k + 1][0] - v[k - 1][0]) + y_weight * mean[1] + (Dim == 3 ? z_weight * mean[2] : 0.0);
+      const auto mean = [&](int a) {
+        return interior_value[0] * (v[k - 1][a] + v[k + 1][a]) + interior_value[1] * v[k][a];
+      };
+      flux[k] += x_weight * (v[k + 1][0] - v[k - 1][0]) + y_weight * mean(1) + (Dim == 3 ? z_weight * mean(2) : 0.0);
     }
   });
 }

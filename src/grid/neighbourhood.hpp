@@ -31,9 +31,10 @@ int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, co
   return flat;
 }
 
-/// Flat index of the cell that a point is in; x: coordinates of points, an array for each axis [m].
+/// Flat index of the cell that a point is in; x: coordinates of points, an array for each axis [m]. Inlined: loops over
+/// particles would spend as much on the call.
 template <int Dim, class Points>
-int cell_at(const GridLayout<Dim>& layout, const Points& x, std::size_t point) {
+[[gnu::always_inline]] inline int cell_at(const GridLayout<Dim>& layout, const Points& x, std::size_t point) {
   std::array<int, Dim> cell;
   for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, x[a][point]);
   return layout.index(cell);

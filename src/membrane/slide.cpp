@@ -8,7 +8,6 @@
 namespace geodrop {
 namespace {
 
-std::size_t segment_behind(const Cloth& cloth, std::size_t node) { return node == 0 ? cloth.segments() - 1 : node - 1; }
 std::size_t node_ahead(const Cloth& cloth, std::size_t segment) {
   return cloth.closed && segment + 1 == cloth.segments() ? 0 : segment + 1;
 }
@@ -36,27 +35,10 @@ void Cloth::resize(std::size_t segments, bool as_closed) {
   for (std::vector<double>* values : {&friction, &drag, &load, &passed}) values->assign(nodes(), 0.0);
 }
 
-/// Whether rest length may pass: at all nodes but the ends of an open line.
-bool ClothSlide::passable(std::size_t k) const { return cloth_->closed || (k > 0 && k < cloth_->segments()); }
-
-/// What the cloth hands on at a node beyond friction, with its sign: z q.
-double ClothSlide::excess(std::size_t k, const std::vector<double>& tension) const {
-  const double pull = tension[k] - tension[segment_behind(*cloth_, k)] + cloth_->load[k];
-  const double beyond = std::abs(pull) - cloth_->friction[k];
-  return beyond > 0 ? std::copysign(beyond, pull) : 0.0;
-}
-
-double ClothSlide::energy(const std::vector<double>& tension) const {
-  const Cloth& cloth = *cloth_;
-  double sum = 0;
-  for (std::size_t s = 0; s < cloth.segments(); ++s)
-    sum += tension[s] * cloth.rest[s] - cloth.stiffness * cloth.length[s] * std::log1p(tension[s] / cloth.stiffness);
-  for (std::size_t k = 0; k < cloth.nodes(); ++k) {
-    if (!passable(k)) continue;
-    const double beyond = excess(k, tension);
-    sum += 0.5 * beyond * beyond / (softening_ * cloth.drag[k]);
-  }
-  return sum;
+/// What passes where the tension grows by `step` at a node: what friction does not hold, against the drag.
+double ClothSlide::passes(std::size_t k, double step) const {
+  const double pull = step + cloth_->load[k], beyond = std::abs(pull) - cloth_->friction[k];
+  return beyond > 0 ? std::copysign(beyond, pull) * lightness_[k] : 0.0;
 }
 
 /// q, and the gradient: rest length that a segment has less the one that its tension asks for. Returns the largest of
@@ -65,16 +47,18 @@ double ClothSlide::energy(const std::vector<double>& tension) const {
 double ClothSlide::find_gradient(const std::vector<double>& tension) {
   constexpr double converged = 1e-12, rounding = 4e-16;
   Cloth& cloth = *cloth_;
-  for (std::size_t k = 0; k < cloth.nodes(); ++k)
-    cloth.passed[k] = passable(k) ? excess(k, tension) / (softening_ * cloth.drag[k]) : 0.0;
+  const std::size_t n = cloth.segments();
+  cloth.passed.front() = cloth.closed ? passes(0, tension[0] - tension[n - 1]) : 0.0;
+  for (std::size_t k = 1; k < n; ++k) cloth.passed[k] = passes(k, tension[k] - tension[k - 1]);
   double largest = 0;
-  for (std::size_t s = 0; s < cloth.segments(); ++s) {
-    const double asked = cloth.length[s] / (1 + tension[s] / cloth.stiffness);
-    gradient_[s] = (cloth.rest[s] - asked) + (cloth.passed[s] - cloth.passed[node_ahead(cloth, s)]);
+  for (std::size_t s = 0; s < n; ++s) {
+    const std::size_t end = node_ahead(cloth, s);
+    const double asked = cloth.stiffness * cloth.length[s] / (cloth.stiffness + tension[s]);
+    gradient_[s] = (cloth.rest[s] - asked) + (cloth.passed[s] - cloth.passed[end]);
     if (slack(tension[s], gradient_[s])) continue;
-    const double least_drag = softening_ * std::min(cloth.drag[s], cloth.drag[node_ahead(cloth, s)]);
+    const double lightest = std::max(lightness_[s], lightness_[end]);
     largest =
-        std::max(largest, std::abs(gradient_[s]) / (converged * cloth.length[s] + rounding * tension[s] / least_drag));
+        std::max(largest, std::abs(gradient_[s]) / (converged * cloth.length[s] + rounding * tension[s] * lightest));
   }
   return largest;
 }
@@ -83,7 +67,7 @@ double ClothSlide::find_gradient(const std::vector<double>& tension) {
 void ClothSlide::find_direction() {
   const Cloth& cloth = *cloth_;
   const std::size_t n = cloth.segments();
-  const auto holds = [&](std::size_t k) { return cloth.passed[k] != 0 ? 1 / (softening_ * cloth.drag[k]) : 0.0; };
+  const auto holds = [&](std::size_t k) { return cloth.passed[k] != 0 ? lightness_[k] : 0.0; };
   const double next_to_none = 1e-6 * cloth.stiffness;  // such tensions fall to 0 at once where they have to fall
   const auto stays = [&](std::size_t s) { return tension_[s] <= next_to_none && gradient_[s] >= 0; };
   for (std::size_t s = 0; s < n; ++s) {
@@ -128,50 +112,51 @@ void ClothSlide::solve_tridiagonal() {
   for (std::size_t k = 0; k < n; ++k) right_[k] -= share * corner_[k];
 }
 
-/// Along the direction as far as the energy falls; the whole way if it still falls there, or the gradient is less than
-/// ever. Leaves q and the gradient there; returns its largest.
+/// Along the direction as far as the energy falls, which is convex: where it still falls there, or the gradient is less
+/// than ever. Leaves q and the gradient there; returns its largest.
 double ClothSlide::advance(double least_gradient) {
-  const auto go = [&](double part) {
-    for (std::size_t s = 0; s < tension_.size(); ++s) trial_[s] = std::max(0.0, tension_[s] + part * right_[s]);
-  };
+  constexpr double least_part = 1e-6;
   const auto falls = [&] {
     double rate = 0;
     for (std::size_t s = 0; s < tension_.size(); ++s) rate += gradient_[s] * (trial_[s] - tension_[s]);
     return rate < 0;
   };
-  go(1);
-  double now = find_gradient(trial_);
-  if (!(now < 0.9 * least_gradient) && !falls()) {
-    const double before = energy(tension_);
-    double part = 1;
-    for (; part > 1e-6 && !(energy(trial_) < before); go(part)) part /= 2;
-    if (part < 1) now = find_gradient(trial_);
+  for (double part = 1;; part /= 2) {
+    for (std::size_t s = 0; s < tension_.size(); ++s) trial_[s] = std::max(0.0, tension_[s] + part * right_[s]);
+    const double now = find_gradient(trial_);
+    if (!(now < 0.9 * least_gradient) && !falls() && part > least_part) continue;
+    tension_.swap(trial_);
+    return now;
   }
-  tension_.swap(trial_);
-  return now;
 }
 
+/// With so much more drag; that of the cloth alone to the end, else as far as the next start needs.
 bool ClothSlide::descend(double softening, int rounds) {
-  softening_ = softening;
+  constexpr double start_for_less = 1e8;
+  const Cloth& cloth = *cloth_;
+  const double enough = softening > 1 ? start_for_less : 1;
+  for (std::size_t k = 0; k < cloth.nodes(); ++k) lightness_[k] = 1 / (softening * cloth.drag[k]);
   double now = find_gradient(tension_), least = now;
-  for (int round = 0; round < rounds && now >= 1; ++round) {
+  for (int round = 0; round < rounds && now >= enough; ++round) {
     find_direction();
     now = advance(least);
     least = std::min(least, now);
   }
-  return now < 1;
+  return now < enough;
 }
 
 bool ClothSlide::solve(Cloth& cloth) {
-  constexpr int few_rounds = 25, some_rounds = 60;
+  constexpr int few_rounds = 2, some_rounds = 60;
   cloth_ = &cloth;
   const std::size_t n = cloth.segments();
   for (std::vector<double>* values : {&trial_, &gradient_, &lower_, &diagonal_, &upper_, &right_, &corner_, &factor_})
     values->resize(n);
+  lightness_.resize(cloth.nodes());
+  cloth.passed.back() = 0;  // of an open line: nothing passes its ends
   tension_ = cloth.tension;
   bool done = descend(1, few_rounds);
   if (!done) {
-    for (const double softening : {1e4, 1e3, 1e2, 1e1}) descend(softening, some_rounds);
+    for (const double softening : {100, 30, 10, 3}) descend(softening, some_rounds);
     done = descend(1, most_rounds);
   }
   if (!done) std::fill(cloth.passed.begin(), cloth.passed.end(), 0.0);

@@ -45,9 +45,7 @@ class ClothSlide {
 
  private:
   static bool slack(double tension, double gradient) { return tension == 0 && gradient >= 0; }
-  bool passable(std::size_t k) const;
-  double excess(std::size_t k, const std::vector<double>& tension) const;
-  double energy(const std::vector<double>& tension) const;
+  double passes(std::size_t k, double step) const;
   double find_gradient(const std::vector<double>& tension);
   void find_direction();
   void solve_tridiagonal();
@@ -55,8 +53,8 @@ class ClothSlide {
   bool descend(double softening, int rounds);
 
   Cloth* cloth_ = nullptr;
-  double softening_ = 1;  ///< of the drag
   std::vector<double> tension_, trial_, gradient_;
+  std::vector<double> lightness_;                                           ///< of nodes: 1 / drag
   std::vector<double> lower_, diagonal_, upper_, right_, corner_, factor_;  // of Newton's system
 };
 
