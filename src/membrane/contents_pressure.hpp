@@ -12,7 +12,7 @@ class ContentsPressure {
   void update(const State<2>& state, const GridLayout<2>& layout, Membrane<2>& membrane);
 
  private:
-  MeansBeside stress_;
+  MeansBeside<2, 3> stress_;
 };
 
 }  // namespace geodrop
