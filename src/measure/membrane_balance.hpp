@@ -8,7 +8,7 @@
 
 namespace geodrop {
 
-/// Largest change of tension at a node over what friction (mu p'), friction on the bed and loads on the node can give
+/// Largest change of tension at a node over what friction (mu p'), the shear from around and loads on the node can give
 /// it there [-]: up to 1 in balance, and the slight drag of sliding (membrane/slide_membranes). Nodes where tension
 /// changes by less than 1 N per metre of depth do not count. Of the state after a step: the line has moved a little
 /// since.
