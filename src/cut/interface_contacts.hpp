@@ -33,8 +33,9 @@ struct Contact {
   bool sticks() const { return !on_bed && membrane->shear == Shear::no_slip && !over_soil(); }
   bool rubs() const { return on_bed || (membrane->shear != Shear::none && !sticks()); }
 
-  /// Largest traction along it [Pa]: what is around can give, and the soil inside can take. slip [m2/s, m3/s]: the
-  /// velocity of slipping times length or area.
+  /// Largest traction along it [Pa]: what is around can give; of bodies that stick or rub by Coulomb also no more than
+  /// the soil inside can take, as the weaker one of the two slips. slip [m2/s, m3/s]: the velocity of slipping times
+  /// length or area.
   double most_friction(double slip) const {
     const double taken = over_soil() ? membrane->contents_friction * inside : std::numeric_limits<double>::infinity();
     if (on_bed) return std::min(taken, std::max(0.0, membrane->bed_friction * (pressure - pore_pressure)));
@@ -43,7 +44,7 @@ struct Contact {
     const double u = far ? velocity : slip / stretch.size;
     const double friction = membrane->shear == Shear::rough_wall ? rough_wall_friction(distance, membrane->roughness)
                                                                  : membrane->wall_friction;
-    return std::min(taken, 0.5 * membrane->fluid_density * friction * u * u);
+    return 0.5 * membrane->fluid_density * friction * u * u;
   }
 };
 

@@ -204,7 +204,7 @@ template <int Dim>
 void Output<Dim>::write_frame(Frame<Dim> frame) {
   Parts& parts = *parts_;
   Snapshot snapshot = take_snapshot(*frame, names(parts.scene.materials), parts.scene.output.fields);
-  if constexpr (Dim == 2) add_balance(parts.scene, *frame, snapshot);
+  add_balance(parts.scene, *frame, snapshot);
   parts.frames.submit(std::move(snapshot));
   parts.frames_due.pass(frame->t);
   log(parts.progress.line(frame->t, frame->step) + "  frame " + std::to_string(parts.frames.times().size() - 1));

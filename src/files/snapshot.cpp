@@ -160,22 +160,37 @@ Precision precision_for(const State<Dim>& state) {
   return largest > farthest * std::pow(volume / count, 1.0 / Dim) ? Precision::twice : Precision::single;
 }
 
+/// The ends of a segment, the corners of a triangle.
+std::array<std::size_t, 2> nodes_of(const Membrane<2>& membrane, std::size_t segment) {
+  return {segment, end_of_edge(segment, membrane.nodes())};
+}
+std::array<std::size_t, 3> nodes_of(const Membrane<3>& membrane, std::size_t triangle) {
+  const auto& corner = membrane.triangles.corner;
+  return {corner[0][triangle], corner[1][triangle], corner[2][triangle]};
+}
+
 }  // namespace
 
-void add_balance(const Scene& scene, const State<2>& state, Snapshot& snapshot) {
+template <int Dim>
+void add_balance(const Scene& scene, const State<Dim>& state, Snapshot& snapshot) {
   Field curvature{"curvature_load", {}, {}}, pressure{"pressure_jump", {}, {}};
-  for (const Membrane<2>& membrane : state.membranes) {
+  for (const Membrane<Dim>& membrane : state.membranes) {
     if (membrane.field == waiting) continue;
+    const std::size_t parts = membrane.tension.size();
     if (!(membrane.axial_stiffness > 0)) {
       for (Field* field : {&curvature, &pressure})
-        field->values.insert(field->values.end(), membrane.segments(), std::numeric_limits<float>::quiet_NaN());
+        field->values.insert(field->values.end(), parts, std::numeric_limits<float>::quiet_NaN());
       continue;
     }
     const std::vector<AcrossLine> across = balance_across(scene, state, membrane);
-    for (std::size_t s = 0; s < membrane.segments(); ++s) {
-      const std::size_t end = end_of_edge(s, membrane.nodes());
-      curvature.values.push_back(narrow(0.5 * (across[s].curvature + across[end].curvature)));
-      pressure.values.push_back(narrow(0.5 * (across[s].pressure + across[end].pressure)));
+    for (std::size_t part = 0; part < parts; ++part) {
+      AcrossLine sum;
+      for (const std::size_t k : nodes_of(membrane, part)) {
+        sum.curvature += across[k].curvature;
+        sum.pressure += across[k].pressure;
+      }
+      curvature.values.push_back(narrow(sum.curvature / Dim));
+      pressure.values.push_back(narrow(sum.pressure / Dim));
     }
   }
   for (Field* field : {&curvature, &pressure}) snapshot.membranes.fields.push_back(std::move(*field));
@@ -213,6 +228,8 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
   return snapshot;
 }
 
+template void add_balance(const Scene&, const State<2>&, Snapshot&);
+template void add_balance(const Scene&, const State<3>&, Snapshot&);
 template Snapshot take_snapshot(const State<2>&, const std::vector<std::string>&, const std::vector<std::string>&);
 template Snapshot take_snapshot(const State<3>&, const std::vector<std::string>&, const std::vector<std::string>&);
 

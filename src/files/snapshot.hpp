@@ -67,7 +67,9 @@ template <int Dim>
 Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& materials,
                        const std::vector<std::string>& fields = {});
 
-/// Fields of the segments of membranes that bear tension, measure/membrane_balance: curvature_load, pressure_jump [Pa].
-void add_balance(const Scene& scene, const State<2>& state, Snapshot& snapshot);
+/// Fields of the segments or triangles of membranes that bear tension, measure/membrane_balance: curvature_load,
+/// pressure_jump [Pa].
+template <int Dim>
+void add_balance(const Scene& scene, const State<Dim>& state, Snapshot& snapshot);
 
 }  // namespace geodrop

@@ -7,67 +7,78 @@
 #include <limits>
 #include <numeric>
 
-#include "membrane/fluid_load.hpp"
 #include "membrane/means_beside.hpp"
-#include "membrane/outline.hpp"
+#include "membrane/membrane_force.hpp"
 #include "membrane_balance.hpp"
+#include "tributary_areas.hpp"
 
 namespace geodrop {
 namespace {
 
-using Vector = std::array<double, 2>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+/// Places of the components of a total stress in a symmetric matrix, by rows.
+template <int Dim>
+constexpr auto places_of_stress() {
+  if constexpr (Dim == 2)
+    return std::array{0, 3, 3, 1};
+  else
+    return std::array{0, 3, 5, 3, 1, 4, 5, 4, 2};
+}
 
 /// The stress of some bodies at the nodes of a membrane: means of what is beside it, brought there with its weight.
+template <int Dim>
 class StressBeside {
  public:
-  StressBeside(const Scene& scene, const GridLayout<2>& layout, const Membrane<2>& membrane)
-      : layout_(layout), membrane_(membrane), gravity_{scene.gravity[0], scene.gravity[1]} {
+  StressBeside(const Scene& scene, const GridLayout<Dim>& layout, const Membrane<Dim>& membrane)
+      : layout_(layout), membrane_(membrane), gravity_(scene.gravity.data()) {
     stress_.begin(layout, membrane);
     place_.begin(layout, membrane);
   }
 
-  void add(const Body<2>& body) {
-    stress_.add(layout_, body, [&](std::size_t p) {
-      const auto stress = total_stress(body, p);
-      return std::array<double, 3>{stress[0], stress[1], stress[3]};
-    });
+  void add(const Body<Dim>& body) {
+    stress_.add(layout_, body, [&](std::size_t p) { return total_stress(body, p); });
     place_.add(layout_, body, [&](std::size_t p) {
-      return std::array<double, 3>{body.x[0][p], body.x[1][p], body.mass[p] / body.volume(p)};
+      std::array<double, Dim + 1> out;
+      for (std::size_t a = 0; a < Dim; ++a) out[a] = body.x[a][p];
+      out[Dim] = body.mass[p] / body.volume(p);
+      return out;
     });
   }
 
-  bool found(std::size_t k) const { return stress_.at(layout_, membrane_, k).volume > 0; }
+  bool found(std::size_t k) const { return place_.at(layout_, membrane_, k).volume > 0; }
 
   /// From the node to the particles that count, along a vector [m].
-  double offset(std::size_t k, const Vector& along) const {
-    const MeansBeside::Sums sum = place_.at(layout_, membrane_, k);
-    return dot({sum.value[0] / sum.volume - membrane_.x[0][k], sum.value[1] / sum.volume - membrane_.x[1][k]}, along);
+  double offset(std::size_t k, const Vec<Dim>& along) const {
+    const auto sum = place_.at(layout_, membrane_, k);
+    return (Vec<Dim>(sum.value.data()) / sum.volume - vector_at(membrane_.x, k)).dot(along);
   }
 
   /// n . sigma n [Pa], 0 where there is nothing.
-  double across(std::size_t k, const Vector& n) const {
+  double across(std::size_t k, const Vec<Dim>& n) const {
     if (!found(k)) return 0;
-    const MeansBeside::Sums sum = stress_.at(layout_, membrane_, k);
-    const double pulled = sum.value[0] * n[0] * n[0] + sum.value[1] * n[1] * n[1] + 2 * sum.value[2] * n[0] * n[1];
-    const double density = place_.at(layout_, membrane_, k).value[2] / sum.volume;
+    const auto sum = stress_.at(layout_, membrane_, k);
+    double pulled = 0;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) pulled += sum.value[places_of_stress<Dim>()[Dim * a + b]] * n[a] * n[b];
+    const double density = place_.at(layout_, membrane_, k).value[Dim] / sum.volume;
     return pulled / sum.volume + density * offset(k, gravity_);
   }
 
  private:
-  const GridLayout<2>& layout_;
-  const Membrane<2>& membrane_;
-  Vector gravity_;
-  MeansBeside stress_, place_;
+  const GridLayout<Dim>& layout_;
+  const Membrane<Dim>& membrane_;
+  Vec<Dim> gravity_;
+  MeansBeside<Dim, stress_components<Dim>> stress_;
+  MeansBeside<Dim, Dim + 1> place_;
 };
 
 /// The sides of a membrane: its body, and what the grid lets act from around. Solid skeletons and the water in their
 /// pores are in one place, so that each has its own mean.
+template <int Dim>
 class Sides {
  public:
-  Sides(const Scene& scene, const State<2>& state, const GridLayout<2>& layout, const Membrane<2>& membrane)
+  Sides(const Scene& scene, const State<Dim>& state, const GridLayout<Dim>& layout, const Membrane<Dim>& membrane)
       : inside_(scene, layout, membrane),
         water_inside_(scene, layout, membrane),
         around_(scene, layout, membrane),
@@ -76,7 +87,7 @@ class Sides {
     const auto is_inside = [&](const BodySpec& body) { return body.name == membrane.body; };
     const auto own = std::ranges::find_if(scene.bodies, is_inside);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      const Body<2>& body = state.bodies[b];
+      const Body<Dim>& body = state.bodies[b];
       if (body.field == waiting || body.pressure == PressureSupport::enclosed) continue;
       if (is_inside(scene.bodies[b]))
         inside_.add(body);
@@ -88,119 +99,99 @@ class Sides {
   }
 
   /// Across an open line its body tells the side; where there is none of it, the left one is outside.
-  bool body_on_side_of(const Vector& n, std::size_t k) const { return inside_.found(k) && inside_.offset(k, n) > 0; }
+  bool body_on_side_of(const Vec<Dim>& n, std::size_t k) const { return inside_.found(k) && inside_.offset(k, n) > 0; }
 
   /// Pressure from inside less that from around [Pa].
-  double jump(std::size_t k, const Vector& n) const {
-    double outside = -around_.across(k, n) - soil_around_.across(k, n);
-    if (membrane_.sharp)
-      outside = 0.5 * (membrane_.water_pressure[k] + membrane_.water_pressure[node_before(membrane_, k)]);
+  double jump(const TributaryAreas<Dim>& areas, std::size_t k, const Vec<Dim>& n) const {
+    const double outside =
+        membrane_.sharp ? areas.mean(membrane_.water_pressure, k) : -around_.across(k, n) - soil_around_.across(k, n);
     return -inside_.across(k, n) - water_inside_.across(k, n) - outside;
   }
 
  private:
-  StressBeside inside_, water_inside_, around_, soil_around_;
-  const Membrane<2>& membrane_;
+  StressBeside<Dim> inside_, water_inside_, around_, soil_around_;
+  const Membrane<Dim>& membrane_;
 };
 
-/// What acts across the line at each node, times the length of line that belongs to it, per metre of depth [N/m].
+/// What acts across the line or surface at each node, and how much of it belongs to that [N/m, N].
+template <int Dim>
 struct NodeLoads {
-  std::vector<double> length, curvature, pressure;
+  TributaryAreas<Dim> areas;
+  std::vector<double> curvature, pressure;
 };
 
-/// Force of the segments beside a node [N/m].
-Vector pull(const Membrane<2>& membrane, std::size_t k) {
-  Vector force{};
-  for (const std::size_t s : {k, node_before(membrane, k)}) {
-    if (s >= membrane.segments() || (s == node_before(membrane, k) && s == k)) continue;
-    const std::size_t end = end_of_edge(s, membrane.nodes());
-    const double share = (s == k ? 1 : -1) * membrane.tension[s] / segment_length(membrane, s);
-    for (int a = 0; a < 2; ++a) force[a] += share * (membrane.x[a][end] - membrane.x[a][s]);
-  }
-  return force;
-}
-
-NodeLoads loads_of(const Scene& scene, const State<2>& state, const Membrane<2>& membrane) {
-  const GridLayout<2> layout(scene.grid, scene.walls);
-  const Sides sides(scene, state, layout, membrane);
-  const double sense = membrane.closed ? sense_of(membrane) : 1;
-  NodeLoads loads;
+template <int Dim>
+NodeLoads<Dim> loads_of(const Scene& scene, const State<Dim>& state, const Membrane<Dim>& membrane) {
+  const GridLayout<Dim> layout(scene.grid, scene.walls);
+  const Sides<Dim> sides(scene, state, layout, membrane);
+  const auto pull = membrane_forces(membrane);
+  const Vec<Dim> gravity(scene.gravity.data());
+  NodeLoads<Dim> loads{TributaryAreas<Dim>(membrane), {}, {}};
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    const std::size_t behind = node_before(membrane, k);
-    const bool end = !membrane.closed && (k == 0 || k == membrane.segments());
-    const auto [tx, ty] = tangent_at(membrane, k);
-    Vector n{sense * ty, -sense * tx};
-    if (!membrane.closed && sides.body_on_side_of(n, k)) n = {-n[0], -n[1]};
-    const double length = end ? 0 : 0.5 * (segment_length(membrane, k) + segment_length(membrane, behind));
-    const Vector weight{membrane.mass[k] * scene.gravity[0], membrane.mass[k] * scene.gravity[1]};
-    double pressure = length > 0 ? sides.jump(k, n) * length + dot(weight, n) : 0;
-    if (length > 0 && !membrane.load[0].empty()) pressure += dot({membrane.load[0][k], membrane.load[1][k]}, n);
-    loads.length.push_back(length);
-    loads.curvature.push_back(end ? 0 : -dot(pull(membrane, k), n));
+    Vec<Dim> n = loads.areas.normal(k);
+    if (!membrane.closed && sides.body_on_side_of(n, k)) n = -n;
+    const double size = loads.areas.size(k);
+    double pressure = 0;
+    if (size > 0) {
+      pressure = sides.jump(loads.areas, k, n) * size + membrane.mass[k] * gravity.dot(n);
+      if (!membrane.load[0].empty()) pressure += vector_at(membrane.load, k).dot(n);
+    }
+    loads.curvature.push_back(size > 0 ? -vector_at(pull, k).dot(n) : 0);
     loads.pressure.push_back(pressure);
   }
   return loads;
 }
 
-/// Nodes from `k` on, to both sides, until half the width has passed.
-std::vector<std::size_t> stretch_about(const Membrane<2>& membrane, const NodeLoads& loads, std::size_t k,
-                                       double width) {
-  std::vector<std::size_t> nodes{k};
-  for (const auto& next : {node_before, node_after}) {
-    double way = loads.length[k] / 2;
-    for (std::size_t at = next(membrane, k); way < width / 2 && at != k; at = next(membrane, at)) {
-      if (at == next(membrane, at) || nodes.size() > membrane.nodes() / 2) break;  // an end, or round
-      nodes.push_back(at);
-      way += loads.length[at];
-    }
-  }
-  return nodes;
-}
-
 /// A cloth that bends by less than this over the stretch presses nowhere [rad].
 constexpr double least_bend = 0.05;
 
-AcrossLine mean_over(const std::vector<std::size_t>& nodes, const NodeLoads& loads, double tension) {
-  double length = 0;
+/// Means over what of the line or surface is about a node.
+template <int Dim>
+AcrossLine mean_about(std::size_t k, const NodeLoads<Dim>& loads, const Scene& scene, const Membrane<Dim>& membrane) {
+  const double width = std::max(membrane.gauge_length, 2 * finest_spacing(scene.grid));
+  double tension = loads.areas.largest(membrane.tension, k), size = 0;
+  if constexpr (Dim == 3) tension = std::max(tension, loads.areas.largest(membrane.triangles.cross_tension, k));
   AcrossLine mean;
-  for (const std::size_t k : nodes) {
-    length += loads.length[k];
-    mean.curvature += loads.curvature[k];
-    mean.pressure += loads.pressure[k];
+  for (const std::size_t node : loads.areas.about(k, width)) {
+    size += loads.areas.size(node);
+    mean.curvature += loads.curvature[node];
+    mean.pressure += loads.pressure[node];
   }
-  if (!(length > 0)) return {0, 0, nan};
-  mean.curvature /= length;
-  mean.pressure /= length;
+  if (!(size > 0)) return {0, 0, nan};
+  mean.curvature /= size;
+  mean.pressure /= size;
+  const double length = Dim == 2 ? size : std::sqrt(size);
   const double scale = std::max({std::abs(mean.curvature), std::abs(mean.pressure), least_bend * tension / length});
   mean.error = tension > 0 ? std::abs(mean.curvature - mean.pressure) / scale : nan;
   return mean;
 }
 
-double tension_at(const Membrane<2>& membrane, std::size_t k) {
-  return std::max(membrane.tension[std::min(k, membrane.segments() - 1)], membrane.tension[node_before(membrane, k)]);
-}
-
 }  // namespace
 
-std::vector<AcrossLine> balance_across(const Scene& scene, const State<2>& state, const Membrane<2>& membrane) {
-  const NodeLoads loads = loads_of(scene, state, membrane);
-  const double width = std::max(membrane.gauge_length, 2 * finest_spacing(scene.grid));
+template <int Dim>
+std::vector<AcrossLine> balance_across(const Scene& scene, const State<Dim>& state, const Membrane<Dim>& membrane) {
+  const NodeLoads<Dim> loads = loads_of(scene, state, membrane);
   std::vector<AcrossLine> balance;
-  for (std::size_t k = 0; k < membrane.nodes(); ++k)
-    balance.push_back(mean_over(stretch_about(membrane, loads, k, width), loads, tension_at(membrane, k)));
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) balance.push_back(mean_about(k, loads, scene, membrane));
   return balance;
 }
 
-AcrossLine balance_at_gauge(const Scene& scene, const State<2>& state, const Membrane<2>& membrane) {
+template <int Dim>
+AcrossLine balance_at_gauge(const Scene& scene, const State<Dim>& state, const Membrane<Dim>& membrane) {
   if (!(membrane.gauge.now > 0)) return {0, 0, nan};
-  const auto& at = membrane.gauge.now_at;
+  const Vec<Dim> at(membrane.gauge.now_at.data());
   std::vector<std::size_t> nodes(membrane.nodes());
   std::iota(nodes.begin(), nodes.end(), 0);
-  const auto nearest = std::ranges::min_element(
-      nodes, {}, [&](std::size_t k) { return std::hypot(membrane.x[0][k] - at[0], membrane.x[1][k] - at[1]); });
-  const NodeLoads loads = loads_of(scene, state, membrane);
-  const double width = std::max(membrane.gauge_length, 2 * finest_spacing(scene.grid));
-  return mean_over(stretch_about(membrane, loads, *nearest, width), loads, tension_at(membrane, *nearest));
+  const auto nearest =
+      std::ranges::min_element(nodes, {}, [&](std::size_t k) { return (vector_at(membrane.x, k) - at).norm(); });
+  return mean_about(*nearest, loads_of(scene, state, membrane), scene, membrane);
 }
+
+#define GEODROP_INSTANTIATE(D)                                                                           \
+  template std::vector<AcrossLine> balance_across<D>(const Scene&, const State<D>&, const Membrane<D>&); \
+  template AcrossLine balance_at_gauge<D>(const Scene&, const State<D>&, const Membrane<D>&);
+GEODROP_INSTANTIATE(2)
+GEODROP_INSTANTIATE(3)
+#undef GEODROP_INSTANTIATE
 
 }  // namespace geodrop

@@ -96,8 +96,9 @@ void list_balance(HistoryRow& row, const Scene& scene, const State<2>* state) {
 }
 void list_balance(HistoryRow&, const Scene&, const State<3>*) {}
 
-/// Of membranes that bear tension, in the plane: where it is largest now, and whether it is in balance there.
-void list_across(HistoryRow& row, const Scene& scene, const State<2>* state) {
+/// Of membranes that bear tension: where it is largest now, and whether it is in balance there.
+template <int Dim>
+void list_across(HistoryRow& row, const Scene& scene, const State<Dim>* state) {
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     if (!(scene.membranes[m].axial_stiffness > 0)) continue;
     const AcrossLine across = state ? balance_at_gauge(scene, *state, state->membranes[m]) : AcrossLine{};
@@ -106,7 +107,6 @@ void list_across(HistoryRow& row, const Scene& scene, const State<2>* state) {
     row.add(scene.membranes[m].name + balance_column, across.error);
   }
 }
-void list_across(HistoryRow&, const Scene&, const State<3>*) {}
 
 /// Of sharp membranes.
 void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {

@@ -8,14 +8,15 @@
 
 namespace geodrop {
 
-/// Largest change of tension at a node over what friction (mu p'), friction on the bed and loads on the node can give
+/// Largest change of tension at a node over what friction (mu p'), the shear from around and loads on the node can give
 /// it there [-]: up to 1 in balance, and the slight drag of sliding (membrane/slide_membranes). Nodes where tension
 /// changes by less than 1 N per metre of depth do not count. Of the state after a step: the line has moved a little
 /// since.
 double friction_ratio(const Membrane<2>& membrane, double gravity);
 
-/// T kappa of a membrane and what presses on it from inside less from around, means over a gauge length or two cells,
-/// whichever is longer [Pa]. In balance they are the same but for the inertia of the cloth.
+/// T kappa of a membrane (in space the forces of the triangles across their mean normal, per area) and what presses on
+/// it from inside less from around, means over a gauge length or two cells, whichever is longer, in space over a
+/// surface that wide [Pa]. In balance they are the same but for the inertia of the cloth.
 struct AcrossLine {
   double curvature = 0;  ///< T kappa, pulls inwards
   double pressure = 0;   ///< pushes outwards: stresses of what is beside it in the grid, loads, its own weight
@@ -23,12 +24,14 @@ struct AcrossLine {
 };
 
 /// At each node. Pressure of particles is brought to the membrane with their weight.
-std::vector<AcrossLine> balance_across(const Scene& scene, const State<2>& state, const Membrane<2>& membrane);
+template <int Dim>
+std::vector<AcrossLine> balance_across(const Scene& scene, const State<Dim>& state, const Membrane<Dim>& membrane);
 
 /// Column of history.csv with the error at the gauge, after the name of the membrane.
 inline constexpr const char* balance_column = ".balance_error_ratio";
 
 /// Around the middle of the gauge that has the largest tension now.
-AcrossLine balance_at_gauge(const Scene& scene, const State<2>& state, const Membrane<2>& membrane);
+template <int Dim>
+AcrossLine balance_at_gauge(const Scene& scene, const State<Dim>& state, const Membrane<Dim>& membrane);
 
 }  // namespace geodrop

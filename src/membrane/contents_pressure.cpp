@@ -19,7 +19,7 @@ void ContentsPressure::update(const State<2>& state, const Grid<2>& grid, Membra
     return std::array<double, 3>{share * body.stress[0][p], share * body.stress[1][p], share * body.stress[3][p]};
   });
   for (std::size_t k = 0; k < membrane.nodes(); ++k) {
-    const MeansBeside::Sums sum = stress_.at(layout, membrane, k);
+    const auto sum = stress_.at(layout, membrane, k);
     const auto [xx, yy, xy] = sum.value;
     const auto [tx, ty] = tangent_at(membrane, k);
     const double pulled = xx * ty * ty + yy * tx * tx - 2 * xy * tx * ty;  // n . sigma n

@@ -14,7 +14,7 @@ class ContentsPressure {
   void update(const State<2>& state, const Grid<2>& grid, Membrane<2>& membrane);
 
  private:
-  MeansBeside stress_;
+  MeansBeside<2, 3> stress_;
 };
 
 }  // namespace geodrop

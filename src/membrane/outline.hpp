@@ -38,6 +38,13 @@ inline std::array<double, 2> tangent_at(const Membrane<2>& membrane, std::size_t
   return {dx / length, dy / length};
 }
 
+/// What of the traction along a sharp membrane its cloth takes where it slides, of segments [Pa]; empty: nothing. A
+/// fluid that sticks over a fluid inside is no load of the cloth: its rows tie the two fluids to each other.
+inline const Array<double>& shear_on_cloth(const Membrane<2>& membrane) {
+  const bool tied = membrane.shear == Shear::no_slip && membrane.contents_pressure.empty();
+  return tied ? membrane.bed_shear : membrane.water_shear;
+}
+
 /// Node masses from the mass of all and the rest lengths beside the nodes, half of each [kg].
 inline void share_mass(Membrane<2>& membrane) {
   double mass = 0, rest = 0;

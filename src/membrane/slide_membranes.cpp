@@ -49,12 +49,13 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
   constexpr double least_length = 1e-12;  // of the rest length: two nodes in one place
   cloth_.resize(membrane.segments(), membrane.closed);
   cloth_.stiffness = membrane.axial_stiffness;
+  const Array<double>& shear = shear_on_cloth(membrane);
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     cloth_.length[s] = std::max(least_length * membrane.rest_length[s], segment_length(membrane, s));
     cloth_.rest[s] = membrane.rest_length[s];
     cloth_.tension[s] = membrane.tension[s];
-    if (membrane.bed_shear.empty()) continue;
-    const double half = 0.5 * membrane.bed_shear[s] * cloth_.length[s];
+    if (shear.empty()) continue;
+    const double half = 0.5 * shear[s] * cloth_.length[s];
     cloth_.load[s] += half;
     cloth_.load[end_of_edge(s, membrane.nodes())] += half;
   }

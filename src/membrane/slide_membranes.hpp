@@ -11,9 +11,11 @@
 namespace geodrop {
 
 /// Cloth without inertia in balance at each step (slide.hpp): tension, the friction mu p' of the soil inside and the
-/// loads and the friction of rough contacts, of the bed and of its own weight (or the weight would drive the fluid
-/// inside round and round). Over a fluid (mu = 0) the exact tension without friction. Nothing passes anchors. Keeps its
-/// arrays from one step to the next; all that lasts is in the membranes.
+/// loads: friction of rough contacts, the shear of water and bed around, its own weight (or the weight would drive the
+/// fluid inside round and round). The rows of cut/interface_constraint give that shear to the body; the tensions that
+/// balance it take it back, so that the body gets what friction between the two carries, mu p' at most. Over a fluid
+/// (mu = 0) the exact tension without friction. Nothing passes anchors. Keeps its arrays from one step to the next; all
+/// that lasts is in the membranes.
 class MembraneSlide {
  public:
   explicit MembraneSlide(const std::array<double, 2>& gravity) : gravity_(gravity) {}

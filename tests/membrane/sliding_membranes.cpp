@@ -123,6 +123,41 @@ TEST_CASE("Cloth pulled over resting sand: T2 = T1 + mu p' s, with the pressure 
   }
 }
 
+TEST_CASE(
+    "Of the shear of water the sand under the cloth gets mu p' at most, a fluid nothing: the cloth bears the rest") {
+  constexpr double limit = 6e3, spacing = 0.0625;  // mu p' [Pa], of nodes [m]
+  struct Case {
+    double contents_friction, shear, borne;  ///< [-], [Pa], [Pa]
+    Shear law;
+  };
+  for (const auto& [mu, shear, borne, law] :
+       {Case{0.3, 0.5 * limit, 0, Shear::wall_law}, Case{0.3, 1.5 * limit, 0.5 * limit, Shear::rough_wall},
+        Case{0.3, -1.5 * limit, -0.5 * limit, Shear::no_slip}, Case{0, 200, 200, Shear::wall_law},
+        Case{0, 200, 0, Shear::no_slip}}) {  // two fluids that stick to each other past the cloth
+    CAPTURE(mu);
+    CAPTURE(shear);
+    State<2> state = sand_under_cloth(20e3, 7e3);
+    Membrane<2>& cloth = state.membranes[0];
+    cloth.contents_friction = mu;
+    if (mu == 0) cloth.contents_pressure.clear();
+    cloth.shear = law;
+    cloth.water_shear.assign(cloth.segments(), shear);
+    for (int step = 0; step < 50; ++step) {  // until the drag of sliding is gone
+      MembraneSlide({0, 0}).slide(state, layout_of_quarter_metres());
+      update_tension(cloth);
+    }
+    const std::size_t last = cloth.segments() - 1;  // slack gathers at the end that the water flows to
+    for (std::size_t s = 0; s <= last; ++s) {
+      const auto behind = static_cast<double>(borne > 0 ? last - s : s);
+      CHECK(cloth.tension[s] == within(std::abs(borne) * spacing * behind, 1e-3 * std::abs(borne) + 1e-6));
+    }
+    for (std::size_t k = 1; k <= last; ++k) {
+      const double handed_on = cloth.tension[k] - cloth.tension[k - 1] + shear * spacing;
+      CHECK(handed_on == within((shear - borne) * spacing, 1e-3 * std::abs(shear) * spacing));
+    }
+  }
+}
+
 TEST_CASE("Sand with open voids presses on the cloth with what it bears between them") {
   State<2> state = sand_under_cloth(20e3, 7e3);
   Body<2>& sand = state.bodies[0];

@@ -31,6 +31,8 @@ TEST_CASE("A balloon of four cells' radius bears p R / 2 in both directions") {
   CHECK(run.result("tension_mean_N_m") == near(2857.142857, 0.006));
   CHECK(run.result("cross_tension_mean_N_m") == near(2857.142857, 0.02));
   CHECK(run.result("volume_m3") == near(4.445196694, 0.03));
+  CHECK(run.column("balloon.pressure_jump_Pa").back() == near(5492.393, 1e-4));
+  CHECK(run.column("balloon.balance_error_ratio").back() < 0.004);  // 0.0036, 0.0014, 0.0001 at h = R/2, R/4, R/8
 }
 
 TEST_CASE("A fluid and the cloth around it find the balance of p R / 2") {
@@ -78,7 +80,8 @@ TEST_CASE("Frames of cloth in space have triangles with both tensions") {
   const SceneRun run(sphere, with(no_verdict, {"time.end=0.01"}));
   const std::string frame = geodrop::read_file(run.file("membranes_000000.vtp"));
   CHECK(frame.find("NumberOfPolys=\"0\"") == std::string::npos);
-  for (const char* name : {"\"tension\"", "\"cross_tension\"", "\"utilisation\"", "\"strain\""})
+  for (const char* name :
+       {"\"tension\"", "\"cross_tension\"", "\"utilisation\"", "\"strain\"", "\"curvature_load\"", "\"pressure_jump\""})
     CHECK(frame.find(name) != std::string::npos);
 }
 
