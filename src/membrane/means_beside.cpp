@@ -110,7 +110,7 @@ double MeansBeside<Dim, Count>::room(const Grid<Dim>& grid, const Membrane<Dim>&
   for (int c = 0; c < corners; ++c) {
     std::array<int, Dim> node;
     for (int a = 0; a < Dim; ++a) node[a] = first_[a] + at.node[a] + (c >> a) % 2;
-    room += weight_of(at.share, c) * room_of(grid, node);
+    room += weight_of(at.share, c) * room_of<Dim>(grid, node);
   }
   return room;
 }
