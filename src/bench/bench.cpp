@@ -46,17 +46,18 @@ Labels labels_of(const SceneBenchmark& bench, const Scene& scene) {
 }
 
 std::vector<Candidate> candidates(const BenchOptions& options, ReferenceKernels& reference) {
-  const Effort effort = options.quick ? Effort{3, 1} : Effort{7, 2};
+  const Sampling sampling = options.quick ? Sampling{3, 1} : Sampling{7, 2};
   BlockSize size;
   size.particles = options.particles > 0 ? options.particles : options.quick ? 1e5 : 1e6;
   std::vector<Candidate> all;
   for (const Benchmark& bench : all_benchmarks())
     if (selected(options, bench.name))
-      all.push_back({labels_of(bench), [=, &reference] { return measure_block(bench, size, effort, reference); }});
+      all.push_back({labels_of(bench), [=, &reference] { return measure_block(bench, size, sampling, reference); }});
   for (const SceneBenchmark& bench : scene_benchmarks())
     if (selected(options, bench.name))
       if (const std::optional<Scene> scene = scene_of(bench, options))
-        all.push_back({labels_of(bench, *scene), [=, &reference] { return measure_scene(*scene, effort, reference); }});
+        all.push_back(
+            {labels_of(bench, *scene), [=, &reference] { return measure_scene(*scene, sampling, reference); }});
   return all;
 }
 

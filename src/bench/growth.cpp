@@ -90,8 +90,10 @@ void measure_size(GrowthTable& table, const char* kind, const Benchmark& bench, 
                 1e-9 * available_memory());
     return;
   }
-  const Effort effort = size.particles > 2e6 ? Effort{3, 1} : size.particles > 2e5 ? Effort{5, 1} : Effort{9, 2};
-  table.add({kind, bench, size.domain_factor, threads, measure_block(bench, size, effort, reference)});
+  const Sampling sampling = size.particles > 2e6   ? Sampling{3, 1}
+                            : size.particles > 2e5 ? Sampling{5, 1}
+                                                   : Sampling{9, 2};
+  table.add({kind, bench, size.domain_factor, threads, measure_block(bench, size, sampling, reference)});
 }
 
 }  // namespace

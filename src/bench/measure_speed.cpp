@@ -94,20 +94,20 @@ SpeedMeasurement take_samples(Subject<Dim>& subject, int count, ReferenceKernels
 }
 
 template <int Dim>
-SpeedMeasurement measure_block_in(const Benchmark& bench, const BlockSize& size, const Effort& effort,
+SpeedMeasurement measure_block_in(const Benchmark& bench, const BlockSize& size, const Sampling& sampling,
                                   ReferenceKernels& reference) {
   Subject<Dim> subject(block_scene(bench, size));
   subject.at_rest = bench.at_rest;
   set_in_motion<Dim>(bench, subject.scene, 1, subject.state);
   step_cycles(subject, 1);
-  return take_samples(subject, effort.samples, reference, [&](int k) {
+  return take_samples(subject, sampling.samples, reference, [&](int k) {
     set_in_motion<Dim>(bench, subject.scene, k % 2 ? 1 : -1, subject.state);
-    return time_steps(subject, [&] { return step_cycles(subject, effort.cycles); });
+    return time_steps(subject, [&] { return step_cycles(subject, sampling.cycles); });
   });
 }
 
 template <int Dim>
-SpeedMeasurement measure_scene_in(const Scene& scene, const Effort& effort, ReferenceKernels& reference) {
+SpeedMeasurement measure_scene_in(const Scene& scene, const Sampling& sampling, ReferenceKernels& reference) {
   constexpr int warm_up = 600, stretch = 100;
   Subject<Dim> subject(scene);
   const auto run = [&](int steps) {
@@ -115,8 +115,8 @@ SpeedMeasurement measure_scene_in(const Scene& scene, const Effort& effort, Refe
     return steps;
   };
   run(warm_up);
-  return take_samples(subject, effort.samples, reference,
-                      [&](int) { return time_steps(subject, [&] { return run(stretch * effort.cycles); }); });
+  return take_samples(subject, sampling.samples, reference,
+                      [&](int) { return time_steps(subject, [&] { return run(stretch * sampling.cycles); }); });
 }
 
 /// Steps in stretches of 16, `prepare(k)` before each; the time is that of the fastest for all of them. On 2 cores that
@@ -172,15 +172,15 @@ double stage_ns(const SpeedSample& sample, const std::string& name) {
   return 0;
 }
 
-SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Effort& effort,
+SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Sampling& sampling,
                                ReferenceKernels& reference) {
-  return bench.dimension == 2 ? measure_block_in<2>(bench, size, effort, reference)
-                              : measure_block_in<3>(bench, size, effort, reference);
+  return bench.dimension == 2 ? measure_block_in<2>(bench, size, sampling, reference)
+                              : measure_block_in<3>(bench, size, sampling, reference);
 }
 
-SpeedMeasurement measure_scene(const Scene& scene, const Effort& effort, ReferenceKernels& reference) {
-  return scene.dimension == 2 ? measure_scene_in<2>(scene, effort, reference)
-                              : measure_scene_in<3>(scene, effort, reference);
+SpeedMeasurement measure_scene(const Scene& scene, const Sampling& sampling, ReferenceKernels& reference) {
+  return scene.dimension == 2 ? measure_scene_in<2>(scene, sampling, reference)
+                              : measure_scene_in<3>(scene, sampling, reference);
 }
 
 StepTime time_block(const Benchmark& bench, const BlockSize& size, int steps) {

@@ -47,16 +47,16 @@ void add_stage_names(const SpeedMeasurement& measurement, std::vector<std::strin
 double stage_ns(const SpeedSample& sample, const std::string& name);
 
 /// How long to measure. A stretch is a whole number of sort cycles, so that each holds its share of sorting.
-struct Effort {
+struct Sampling {
   int samples = 5;
   int cycles = 1;  ///< from one sort to the next, about 16 steps
 };
 
-SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Effort& effort,
+SpeedMeasurement measure_block(const Benchmark& bench, const BlockSize& size, const Sampling& sampling,
                                ReferenceKernels& reference);
 
 /// A scene in stretches of 100 steps after its first 600, in which the container of the main case starts to fall.
-SpeedMeasurement measure_scene(const Scene& scene, const Effort& effort, ReferenceKernels& reference);
+SpeedMeasurement measure_scene(const Scene& scene, const Sampling& sampling, ReferenceKernels& reference);
 
 /// What a fixed number of steps took on one thread, and nothing around them.
 struct StepTime {

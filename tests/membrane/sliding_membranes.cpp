@@ -143,7 +143,7 @@ TEST_CASE(
     cloth.shear = law;
     cloth.water_shear.assign(cloth.segments(), shear);
     for (int step = 0; step < 50; ++step) {  // until the drag of sliding is gone
-      MembraneSlide({0, 0}).slide(state, layout_of_quarter_metres());
+      MembraneSlide({0, 0}).slide(state, grid_of_quarter_metres());
       update_tension(cloth);
     }
     const std::size_t last = cloth.segments() - 1;  // slack gathers at the end that the water flows to
