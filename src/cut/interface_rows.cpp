@@ -26,48 +26,31 @@ double light_mass_at(const Grid<Dim>& grid, int node) {
 
 }  // namespace
 
-namespace {
-
-/// The cells with a fold of empty cloth: its two flanks, which between them hold next to nothing.
-std::vector<bool> folded_cells(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells) {
-  constexpr double opposed = 0.3, thin = 0.2;
-  struct Normal {
-    double x = 0, y = 0, length = 0;
-  };
-  std::vector<Normal> normals(cells.size());
-  for (const CutCells::Piece& piece : cells.pieces) {
-    const auto& [x, y] = membrane.x;
-    const auto from = static_cast<std::size_t>(piece.edge), to = end_of_edge(from, membrane.nodes());
-    Normal& normal = normals[static_cast<std::size_t>(piece.cell)];
-    normal.x += (piece.to - piece.from) * (y[to] - y[from]);
-    normal.y -= (piece.to - piece.from) * (x[to] - x[from]);
-    normal.length += length_of(membrane, piece);
-  }
-  std::vector<bool> folded(cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const Normal& normal = normals[c];
-    const int flat = flat_of(layout, cells, static_cast<int>(c));
-    const double thickness = cells.area[c] * cell_size(layout, flat) * 2;  // times the length of a flank
-    folded[c] = normal.length > 0 && std::hypot(normal.x, normal.y) < opposed * normal.length &&
-                thickness < thin * least_width(layout, flat) * normal.length;
-  }
-  return folded;
-}
-
-}  // namespace
-
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece) {
   return (piece.to - piece.from) * segment_length(membrane, static_cast<std::size_t>(piece.edge));
 }
 
+namespace {
+
+/// Whether the end of a fold of empty cloth: both flanks and the end between them, within a cell and close together.
+bool ends_fold(const Membrane<2>& membrane, const CutCells& cells, const Stretch& stretch, double width) {
+  constexpr double opposed = 0.3, thin = 0.2;
+  const auto& [x, y] = membrane.x;
+  double across_x = 0, across_y = 0;
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
+    const auto from = static_cast<std::size_t>(piece.edge), to = end_of_edge(from, membrane.nodes());
+    across_x += (piece.to - piece.from) * (x[to] - x[from]);
+    across_y += (piece.to - piece.from) * (y[to] - y[from]);
+  });
+  return std::hypot(across_x, across_y) < std::min(opposed * stretch.size, thin * width);
+}
+
+}  // namespace
+
 std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells) {
   const auto& pieces = cells.pieces;
   const std::size_t n = pieces.size();
-  const std::vector<bool> folded = folded_cells(around.layout, membrane, cells);
-  const auto wet = [&](std::size_t k) {
-    const int cell = pieces[k].cell;
-    return !folded[static_cast<std::size_t>(cell)] && is_wet(around, flat_of(around.layout, cells, cell));
-  };
+  const auto wet = [&](std::size_t k) { return is_wet(around, flat_of(around.layout, cells, pieces[k].cell)); };
   std::size_t start = 0;  // where a cell begins
   while (start + 1 < n && pieces[start].cell == pieces[(start + n - 1) % n].cell) ++start;
   std::vector<Stretch> stretches;
@@ -77,11 +60,12 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
     Stretch visit{at, 0, 0};
     for (; k < n && pieces[(start + k) % n].cell == pieces[at].cell; ++k, ++visit.count)
       visit.size += length_of(membrane, pieces[(start + k) % n]);
-    if (!wet(at)) {
+    const double width = least_width(around.layout, flat_of(around.layout, cells, pieces[at].cell));
+    if (!wet(at) || ends_fold(membrane, cells, visit, width)) {
       open = false;
       continue;
     }
-    const double least = least_length * least_width(around.layout, flat_of(around.layout, cells, pieces[at].cell));
+    const double least = least_length * width;
     const bool join = open && (visit.size < least || stretches.back().size < least);
     if (join) {
       stretches.back().count += visit.count;

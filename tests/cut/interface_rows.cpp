@@ -73,7 +73,7 @@ TEST_CASE("Where nothing is beside a membrane there is no stretch") {
   CHECK(stretches_of(box).empty());
 }
 
-TEST_CASE("A fold of empty cloth thinner than a fifth of a cell has no stretches") {
+TEST_CASE("The end of a fold of empty cloth thinner than a fifth of a cell is no stretch") {
   // A bag up to y = 4.4 m, 2 m wide; the fold on top of it, about x = 4 m, up to 7.2 m.
   const auto stretches_at = [](double thickness, int row) {
     const double left = 4 - thickness / 2, right = 4 + thickness / 2;
@@ -89,11 +89,9 @@ TEST_CASE("A fold of empty cloth thinner than a fifth of a cell has no stretches
       });
     return found;
   };
-  CHECK(stretches_at(0.25, 6) == 2);
+  for (const double thickness : {0.15, 0.25}) CHECK(stretches_at(thickness, 6) == 2);
   CHECK(stretches_at(0.25, 7) == 3);
-  CHECK(stretches_at(0.15, 6) == 0);
-  CHECK(stretches_at(0.15, 7) == 0);                      // the end, 0.7 m long
-  CHECK(stretches_at(0.15, 4) == stretches_at(0.25, 4));  // where the fold begins the bag is open
+  CHECK(stretches_at(0.15, 7) == 0);
 }
 
 TEST_CASE("A stretch shorter than a quarter of a cell joins its neighbour") {
