@@ -35,12 +35,11 @@ namespace {
 /// Whether the end of a fold of empty cloth: both flanks and the end between them, within a cell and close together.
 bool ends_fold(const Membrane<2>& membrane, const CutCells& cells, const Stretch& stretch, double width) {
   constexpr double opposed = 0.3, thin = 0.2;
-  const auto& [x, y] = membrane.x;
   double across_x = 0, across_y = 0;
   for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
     const auto from = static_cast<std::size_t>(piece.edge), to = end_of_edge(from, membrane.nodes());
-    across_x += (piece.to - piece.from) * (x[to] - x[from]);
-    across_y += (piece.to - piece.from) * (y[to] - y[from]);
+    across_x += (piece.to - piece.from) * (membrane.x[0][to] - membrane.x[0][from]);
+    across_y += (piece.to - piece.from) * (membrane.x[1][to] - membrane.x[1][from]);
   });
   return std::hypot(across_x, across_y) < std::min(opposed * stretch.size, thin * width);
 }

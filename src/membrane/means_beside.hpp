@@ -37,7 +37,8 @@ class MeansBeside {
   /// Sums around a node of the membrane.
   Sums at(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, std::size_t k) const;
 
-  /// Room around a node of the membrane, in whose field the grid is, less what bodies of other fields have of it [m2, m3].
+  /// Room around a node of the membrane, in whose field the grid is, less what bodies of other fields have of it [m2,
+  /// m3].
   double room(const Grid<Dim>& grid, const Membrane<Dim>& membrane, std::size_t k) const;
 
  private:
