@@ -61,13 +61,12 @@ void add_roughness(const Grid<Dim>& grid, int axis, int begin, int count, int fi
 
 bool has_checkerboard(const Scene& scene, const BodySpec& body) {
   const MaterialSpec* material = find_material(scene, body.material);
-  return material && body.pressure == PressureSupport::cell && !body.implicit_pore_pressure &&
-         pore_stiffness(make_material(*material)) > 0;
+  return material && body.pressure == PressureSupport::cell && pore_stiffness(make_material(*material)) > 0;
 }
 
 template <int Dim>
 bool has_checkerboard(const Body<Dim>& body) {
-  return !body.pore_pressure.empty() && body.pressure == PressureSupport::cell && body.implicit_pores.empty();
+  return !body.pore_pressure.empty() && body.pressure == PressureSupport::cell;
 }
 
 template <int Dim>
@@ -82,10 +81,12 @@ void filter_checkerboard(State<Dim>& state, Grid<Dim>& grid, double dt) {
   });
   for_each_seam(grid.layout, [&](int axis) { copy_over_seam(grid.layout, axis, roughness); });
   constexpr double speed = 0.1;                 // of waves
+  constexpr double most = 0.5;                  // of a checkerboard in a step, where implicit pores make that long
   constexpr double of_checkerboard = 16 * Dim;  // its roughness over its size
   for (Body<Dim>& body : state.bodies) {
     if (body.field != grid.field || !has_checkerboard(body)) continue;
-    const double way = speed * wave_speed(body.material) * dt / of_checkerboard, share = way * grid.layout.inv_h;
+    const double way = speed * wave_speed(body.material) * dt / of_checkerboard;
+    const double share = std::min(way * grid.layout.inv_h, most / of_checkerboard);
     const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) body.pore_pressure[p] -= share * roughness[cell_at(grid.layout, body.x, p)];

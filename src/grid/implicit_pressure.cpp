@@ -2,11 +2,10 @@
 
 #include <geodrop/base/error.hpp>
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <vector>
 
 #include "blocks.hpp"
@@ -17,101 +16,228 @@
 namespace geodrop {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+/// What has one pore pressure: a cell, or the parts of cells beside a sharp interface that share one.
+struct Pressed {
+  int cell = -1;                   ///< -1: parts
+  std::size_t first = 0, last = 0;  ///< of Grid::part_cells
+};
 
 template <int Dim>
-std::vector<int> find_pressed(const Grid<Dim>& grid) {
-  std::vector<int> out;
+double modulus_of_parts(const Grid<Dim>& grid, std::size_t first, std::size_t last) {
+  double sum = 0;
+  for (std::size_t part = first; part != last; ++part) sum += grid.pore_modulus[grid.part_cells[part].flat];
+  return sum;
+}
+
+template <int Dim>
+std::vector<Pressed> find_pressed(const Grid<Dim>& grid) {
+  const auto& parts = grid.part_cells;
+  std::vector<int> cut;
+  for (const PartCell<Dim>& part : parts) cut.push_back(part.flat);
+  std::sort(cut.begin(), cut.end());
+  std::vector<Pressed> out;
   for (const std::uint32_t block : grid.active_blocks)
     for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>&) {
       for (int flat = begin; flat < begin + count; ++flat)
-        if (grid.pore_modulus[flat] > 0 && carries_pressure(grid, flat)) out.push_back(flat);
+        if (grid.pore_modulus[flat] > 0 && carries_pressure(grid, flat) &&
+            !std::binary_search(cut.begin(), cut.end(), flat))
+          out.push_back({flat});
     });
+  for (std::size_t first = 0, last = 0; first < parts.size(); first = last) {
+    while (last < parts.size() && parts[last].host == parts[first].host) ++last;
+    if (parts[first].host >= 0 && modulus_of_parts(grid, first, last) > 0) out.push_back({-1, first, last});
+  }
   return out;
 }
 
-/// Whether a cell of a row along x is less than two cells from the box around a sharp membrane.
+/// g of a pressure at a node, or of a node at a pressure [m, m2].
 template <int Dim>
-bool near_outline(const Grids<Dim>& grids, std::array<int, Dim> cell, int along) {
-  constexpr int margin = 1;  // of a box that has one already
-  cell[0] += along;
-  return std::any_of(grids.begin(), grids.end(), [&](const Grid<Dim>& grid) {
-    bool inside = grid.outline.size() > 0;
-    for (int a = 0; a < Dim && inside; ++a) {
-      const int from_first = cell[a] - grid.outline.first[a];
-      inside = from_first >= -margin && from_first < grid.outline.count[a] + margin;
-    }
-    return inside;
-  });
-}
-
-/// The system, by rows of E = g W^1/2 and the columns' W^1/2.
-struct PoreSystem {
-  Matrix E, transposed;
-  Eigen::VectorXd compressibility;  ///< V_c^2 / (K_c V_c dt^2)
-  Eigen::VectorXd rate;             ///< -g . v
-
-  Eigen::VectorXd times(const Eigen::VectorXd& q) const {
-    const Eigen::VectorXd columns = transposed * q;
-    return E * columns + compressibility.cwiseProduct(q);
-  }
+struct SlopeAt {
+  int at;
+  std::array<double, Dim> g;
 };
 
-/// W^1/2 of each component of each node: what does not move has none [kg^-1/2].
-template <int Dim>
-Eigen::VectorXd root_lightness(const Grid<Dim>& grid) {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(grid.layout.nodes()));
-  for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>&) {
-    for (int flat = begin; flat < begin + count; ++flat) {
-      if (!(grid.sum[flat][3] > 0)) continue;
-      const std::array<bool, Dim> held = held_by_walls(grid.layout, flat);
-      for (int a = 0; a < Dim; ++a) out[Dim * flat + a] = held[a] ? 0 : 1 / std::sqrt(grid.sum[flat][3]);
-    }
-  });
-  return out;
-}
+/// Lists of entries, one for each row.
+template <class Entry>
+struct EntriesByRow {
+  std::vector<std::size_t> begin{0};
+  std::vector<Entry> entries;
+
+  int rows() const { return static_cast<int>(begin.size()) - 1; }
+};
 
 template <int Dim>
-void fill_row(const Grid<Dim>& grid, int flat, const Eigen::VectorXd& root, double dt, int r, PoreSystem& system) {
+void add_slopes_of_cell(const Grid<Dim>& grid, int flat, std::vector<SlopeAt<Dim>>& slopes) {
   const std::array<int, Dim> cell = stored_cell(grid.layout, flat);
   const double share = grid.volume_rate[flat] * face_measure(grid.layout);  // of soften_light_cells
-  int at = system.E.outerIndexPtr()[r];
-  double flow = 0;
   for_neighbourhood(grid.layout, flat, [&](int node, const std::array<int, Dim>& entry) {
-    for (int a = 0; a < Dim; ++a) {
-      const double g = share * slope_integral<Dim>(grid, cell, entry, a);
-      system.E.innerIndexPtr()[at] = Dim * node + a;
-      system.E.valuePtr()[at++] = g * root[Dim * node + a];
-      flow += g * grid.velocity[node][a];
-    }
+    std::array<double, Dim> g;
+    for (int a = 0; a < Dim; ++a) g[a] = share * slope_integral<Dim>(grid, cell, entry, a);
+    slopes.push_back({node, g});
   });
-  system.compressibility[r] = grid.cell_volume[flat] * grid.cell_volume[flat] / (grid.pore_modulus[flat] * dt * dt);
-  system.rate[r] = -flow;
+}
+
+/// The force on a node, as nodes of small mass hand it on: the adjoint of carried_velocity.
+template <int Dim>
+void add_carried(const Grid<Dim>& grid, int flat, const std::array<double, Dim>& g,
+                 std::vector<SlopeAt<Dim>>& slopes) {
+  const auto add = [&](int node, double share) {
+    slopes.push_back({node, g});
+    for (double& component : slopes.back().g) component *= share;
+  };
+  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, stored_cell(grid.layout, flat));
+  if (mass >= light) return add(flat, 1);
+  double around = 0;
+  for_neighbourhood(grid.layout, flat, [&](int node, const auto&) { around += grid.sum[node][3]; });
+  if (!(around > 0)) return;
+  const double kept = mass / light;
+  add(flat, kept);
+  for_neighbourhood(grid.layout, flat,
+                    [&](int node, const auto&) { add(node, (1 - kept) * grid.sum[node][3] / around); });
 }
 
 template <int Dim>
-PoreSystem assemble(const Grid<Dim>& grid, const std::vector<int>& cells, const Eigen::VectorXd& root, double dt) {
-  constexpr int width = Dim * (Dim == 2 ? 9 : 27);
-  const auto rows = static_cast<int>(cells.size());
-  PoreSystem system{Matrix(rows, root.size()), {}, Eigen::VectorXd(rows), Eigen::VectorXd(rows)};
-  for (int r = 0; r <= rows; ++r) system.E.outerIndexPtr()[r] = r * width;
-  system.E.resizeNonZeros(rows * width);
-#pragma omp parallel for schedule(static)
-  for (int r = 0; r < rows; ++r) fill_row(grid, cells[r], root, dt, r, system);
-  system.transposed = system.E.transpose();
-  return system;
+void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed& pressed, std::vector<SlopeAt<Dim>>& slopes) {
+  std::vector<SlopeAt<Dim>> carried;
+  for (std::size_t part = pressed.first; part != pressed.last; ++part) {
+    std::size_t n = 0;
+    for_neighbourhood(grid.layout, grid.part_cells[part].flat, [&](int node, const auto&) {
+      add_carried<Dim>(grid, node, grid.part_cells[part].slope[n++], carried);
+    });
+  }
+  std::stable_sort(carried.begin(), carried.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  const std::size_t before = slopes.size();
+  for (const SlopeAt<Dim>& entry : carried)
+    if (slopes.size() == before || slopes.back().at != entry.at)
+      slopes.push_back(entry);
+    else
+      for (int a = 0; a < Dim; ++a) slopes.back().g[a] += entry.g[a];
 }
 
+/// The system for q = dt dp.
+template <int Dim>
+class PoreSystem {
+ public:
+  PoreSystem(const Grid<Dim>& grid, double dt) : column_(grid.layout.nodes(), -1) {
+    const std::vector<Pressed> all = find_pressed(grid);
+    compressibility_.resize(static_cast<Eigen::Index>(all.size()));
+    for (std::size_t r = 0; r < all.size(); ++r) add_row(grid, all[r], dt, compressibility_[r]);
+    number_nodes(grid);
+    transpose();
+  }
+
+  bool empty() const { return of_pressure_.rows() == 0; }
+
+  /// (V_c / (K_c dt^2) + g M^-1 g^T) q.
+  Eigen::VectorXd times(const Eigen::VectorXd& q) const {
+    const std::vector<std::array<double, Dim>> moved = changes(q);
+    Eigen::VectorXd out(q.size());
+#pragma omp parallel for schedule(static)
+    for (int r = 0; r < of_pressure_.rows(); ++r) out[r] = compressibility_[r] * q[r] + flow(r, moved);
+    return out;
+  }
+
+  Eigen::VectorXd diagonal() const {
+    Eigen::VectorXd out = compressibility_;
+    for (int r = 0; r < of_pressure_.rows(); ++r)
+      for (std::size_t k = of_pressure_.begin[r]; k < of_pressure_.begin[r + 1]; ++k) {
+        const auto& [node, g] = of_pressure_.entries[k];
+        for (int a = 0; a < Dim; ++a) out[r] += g[a] * g[a] * lightness_[node][a];
+      }
+    return out;
+  }
+
+  /// -g . v.
+  Eigen::VectorXd rates(const Grid<Dim>& grid) const {
+    std::vector<std::array<double, Dim>> velocity(nodes_.size());
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      for (int a = 0; a < Dim; ++a) velocity[n][a] = grid.velocity[nodes_[n]][a];
+    Eigen::VectorXd out(of_pressure_.rows());
+    for (int r = 0; r < of_pressure_.rows(); ++r) out[r] = -flow(r, velocity);
+    return out;
+  }
+
+  /// What q does to the velocities of nodes() [m/s].
+  std::vector<std::array<double, Dim>> changes(const Eigen::VectorXd& q) const {
+    std::vector<std::array<double, Dim>> out(nodes_.size());
+#pragma omp parallel for schedule(static)
+    for (int n = 0; n < of_node_.rows(); ++n) {
+      std::array<double, Dim> impulse{};
+      for (std::size_t k = of_node_.begin[n]; k < of_node_.begin[n + 1]; ++k)
+        for (int a = 0; a < Dim; ++a) impulse[a] += of_node_.entries[k].g[a] * q[of_node_.entries[k].at];
+      for (int a = 0; a < Dim; ++a) out[n][a] = lightness_[n][a] * impulse[a];
+    }
+    return out;
+  }
+
+  const std::vector<int>& nodes() const { return nodes_; }
+
+ private:
+  void add_row(const Grid<Dim>& grid, const Pressed& pressed, double dt, double& compressibility) {
+    double volume = 0, modulus = 0;
+    if (pressed.cell >= 0) {
+      add_slopes_of_cell(grid, pressed.cell, of_pressure_.entries);
+      volume = grid.cell_volume[pressed.cell];
+      modulus = grid.pore_modulus[pressed.cell];
+    } else {
+      add_slopes_of_parts(grid, pressed, of_pressure_.entries);
+      for (std::size_t part = pressed.first; part != pressed.last; ++part)
+        volume += grid.cell_volume[grid.part_cells[part].flat];
+      modulus = modulus_of_parts(grid, pressed.first, pressed.last);
+    }
+    of_pressure_.begin.push_back(of_pressure_.entries.size());
+    compressibility = volume * volume / (modulus * dt * dt);
+  }
+
+  /// In the place of flat indices; 1 / m of each component, 0 for what does not move [1/kg].
+  void number_nodes(const Grid<Dim>& grid) {
+    for (SlopeAt<Dim>& entry : of_pressure_.entries) {
+      int& column = column_[entry.at];
+      if (column < 0) {
+        column = static_cast<int>(nodes_.size());
+        nodes_.push_back(entry.at);
+        const std::array<bool, Dim> held = held_by_walls(grid.layout, entry.at);
+        const double mass = grid.sum[entry.at][3];
+        lightness_.emplace_back();
+        for (int a = 0; a < Dim; ++a) lightness_.back()[a] = held[a] || !(mass > 0) ? 0 : 1 / mass;
+      }
+      entry.at = column;
+    }
+  }
+
+  void transpose() {
+    of_node_.begin.assign(nodes_.size() + 1, 0);
+    for (const SlopeAt<Dim>& entry : of_pressure_.entries) ++of_node_.begin[entry.at + 1];
+    for (std::size_t n = 0; n < nodes_.size(); ++n) of_node_.begin[n + 1] += of_node_.begin[n];
+    of_node_.entries.resize(of_pressure_.entries.size());
+    std::vector<std::size_t> next(of_node_.begin.begin(), of_node_.begin.end() - 1);
+    for (int r = 0; r < of_pressure_.rows(); ++r)
+      for (std::size_t k = of_pressure_.begin[r]; k < of_pressure_.begin[r + 1]; ++k)
+        of_node_.entries[next[of_pressure_.entries[k].at]++] = {r, of_pressure_.entries[k].g};
+  }
+
+  double flow(int r, const std::vector<std::array<double, Dim>>& velocity) const {
+    double sum = 0;
+    for (std::size_t k = of_pressure_.begin[r]; k < of_pressure_.begin[r + 1]; ++k) {
+      const auto& [node, g] = of_pressure_.entries[k];
+      for (int a = 0; a < Dim; ++a) sum += g[a] * velocity[node][a];
+    }
+    return sum;
+  }
+
+  EntriesByRow<SlopeAt<Dim>> of_pressure_, of_node_;
+  std::vector<int> nodes_, column_;                   ///< flat indices of the nodes, and their numbers by flat index
+  std::vector<std::array<double, Dim>> lightness_;    ///< by node
+  Eigen::VectorXd compressibility_;                   ///< V_c^2 / (K_c V_c dt^2)
+};
+
 /// Conjugate gradients with the diagonal as preconditioner.
-Eigen::VectorXd solve(const PoreSystem& system) {
+template <int Dim>
+Eigen::VectorXd solve(const PoreSystem<Dim>& system, const Eigen::VectorXd& rates) {
   constexpr double tolerance = 1e-6;  // of the residual
   constexpr int most_iterations = 2000;
-  Eigen::VectorXd inverse = system.compressibility;
-  for (Eigen::Index r = 0; r < inverse.size(); ++r) {
-    for (Matrix::InnerIterator entry(system.E, r); entry; ++entry) inverse[r] += entry.value() * entry.value();
-    inverse[r] = 1 / inverse[r];
-  }
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(inverse.size()), residual = system.rate;
+  const Eigen::VectorXd inverse = system.diagonal().cwiseInverse();
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(inverse.size()), residual = rates;
   Eigen::VectorXd scaled = inverse.cwiseProduct(residual), way = scaled;
   const double enough = tolerance * tolerance * residual.squaredNorm();
   double descent = residual.dot(scaled);
@@ -133,13 +259,11 @@ Eigen::VectorXd solve(const PoreSystem& system) {
 
 /// Whether the next step has to be explicit.
 template <int Dim>
-bool any_open_pores(const Grids<Dim>& grids, const Grid<Dim>& grid) {
+bool any_open_pores(const Grid<Dim>& grid) {
   std::atomic<bool> any = false;
-  for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>& cell) {
+  for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>&) {
     for (int flat = begin; flat < begin + count; ++flat)
-      if (grid.pore_modulus[flat] > 0 &&
-          (!carries_pressure(grid, flat) || near_outline<Dim>(grids, cell, flat - begin)))
-        any = true;
+      if (grid.pore_modulus[flat] > 0 && !carries_pressure(grid, flat)) any = true;
   });
   return any;
 }
@@ -148,25 +272,19 @@ bool any_open_pores(const Grids<Dim>& grids, const Grid<Dim>& grid) {
 
 template <int Dim>
 void press_cells(Grid<Dim>& grid, double dt) {
-  const std::vector<int> cells = find_pressed(grid);
-  if (cells.empty()) return;
-  const Eigen::VectorXd root = root_lightness(grid);
-  const PoreSystem system = assemble(grid, cells, root, dt);
-  const Eigen::VectorXd change = system.transposed * solve(system);  // of velocities, over W^1/2
-  for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>&) {
-    for (int flat = begin; flat < begin + count; ++flat)
-      for (int a = 0; a < Dim; ++a) {
-        const Eigen::Index column = Dim * static_cast<Eigen::Index>(flat) + a;
-        const double v = root[column] * change[column];
-        grid.velocity[flat][a] += v;
-        if (!grid.velocity_change.empty()) grid.velocity_change[flat][a] += v;
-      }
-  });
+  const PoreSystem<Dim> system(grid, dt);
+  if (system.empty()) return;
+  const std::vector<std::array<double, Dim>> changes = system.changes(solve(system, system.rates(grid)));
+  for (std::size_t n = 0; n < changes.size(); ++n)
+    for (int a = 0; a < Dim; ++a) {
+      grid.velocity[system.nodes()[n]][a] += changes[n][a];
+      if (!grid.velocity_change.empty()) grid.velocity_change[system.nodes()[n]][a] += changes[n][a];
+    }
   impose_wall_velocity(grid);
 }
 
 template <int Dim>
-void press_pores(State<Dim>& state, const Grids<Dim>& grids, Grid<Dim>& grid, double dt) {
+void press_pores(State<Dim>& state, Grid<Dim>& grid, double dt) {
   bool open = false;
   const auto for_each_soil = [&](auto&& f) {
     for (Body<Dim>& body : state.bodies)
@@ -174,13 +292,13 @@ void press_pores(State<Dim>& state, const Grids<Dim>& grids, Grid<Dim>& grid, do
   };
   for_each_soil([&](const Body<Dim>& soil) { open = open || soil.implicit_pores.front(); });
   if (!open) press_cells(grid, dt);
-  open = any_open_pores(grids, grid);
+  open = any_open_pores(grid);
   for_each_soil([&](Body<Dim>& soil) { soil.implicit_pores.front() = open; });
 }
 
 #define GEODROP_INSTANTIATE(D)                    \
   template void press_cells<D>(Grid<D>&, double); \
-  template void press_pores<D>(State<D>&, const Grids<D>&, Grid<D>&, double);
+  template void press_pores<D>(State<D>&, Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

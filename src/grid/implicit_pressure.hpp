@@ -7,6 +7,9 @@
 // the velocities change here: the particles' pore pressures follow from the volume rates as without it. The system
 // (V_c / (K_c dt^2) + g M^-1 g^T) q = -g . v for q = dt dp is symmetric and positive definite, whatever the masses of
 // nodes: those of small mass take all of their impulse here. Conjugate gradients.
+// Parts of cells beside a sharp interface that share a pressure are one row. There nodes of small mass hand on what they
+// cannot take, as their volume rates see it (carried_velocity). After join_interfaces: the velocities that this leaves
+// are those of the volume rates, so that at rest the stored pore pressure is the one that acts.
 // As the semi-implicit treatment of pressure by Chorin (1968), with compressibility.
 #pragma once
 
@@ -20,10 +23,8 @@ template <int Dim>
 void press_cells(Grid<Dim>& grid, double dt);
 
 /// The same, unless the last step found that this one has to be explicit (BodySettings::implicit_pores); renews that.
-/// Particles in cells that carry no pressure act by themselves, with all of their stiffness. Beside a sharp membrane
-/// the rows of join_interfaces, which follow, would press on soil that does not answer within the step: at rest its
-/// stored pore pressure would be larger by the factor 1 + (c dt / h)^2.
+/// Particles in cells that carry no pressure act by themselves, with all of their stiffness.
 template <int Dim>
-void press_pores(State<Dim>& state, const Grids<Dim>& grids, Grid<Dim>& grid, double dt);
+void press_pores(State<Dim>& state, Grid<Dim>& grid, double dt);
 
 }  // namespace geodrop

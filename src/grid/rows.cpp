@@ -95,7 +95,7 @@ Row<Dim> implicit_pressure_row(const Scene& scene) {
                       [](const BodySpec& body) { return body.implicit_pore_pressure; }),
           [](State<Dim>& state, Grids<Dim>& grids, const StepContext& step) {
             for (Grid<Dim>& grid : grids)
-              if (!grid.pore_modulus.empty()) press_pores(state, grids, grid, step.dt);
+              if (!grid.pore_modulus.empty()) press_pores(state, grid, step.dt);
           }};
 }
 

@@ -14,7 +14,7 @@
 using namespace geodrop;
 using namespace geodrop::test;
 
-TEST_CASE("A region has the volume, mean pressure, velocity and flow of all bodies of its material") {
+TEST_CASE("A region has the volume, mean pressure, vertical stress, velocity and flow of all bodies of its material") {
   const Scene scene = read_scene(source_path("cases/verification/terzaghi.toml"),
                                  {"probes=[{name='box',type='region',material='water',lower=[0.0,0.5],upper=[0.1,1.1]},"
                                   "{name='empty',type='region',material='soil',lower=[0.0,1.2],upper=[0.1,1.3]}]"});
@@ -32,6 +32,7 @@ TEST_CASE("A region has the volume, mean pressure, velocity and flow of all bodi
   const double volume = 0.1 * (0.5 * 0.4 + 0.1);
   CHECK(value("box.volume_m2") == near(volume, 1e-12));
   CHECK(value("box.pressure_mean_Pa") == near(1000 * 2.0 / 3, 1e-9));
+  CHECK(value("box.vertical_stress_mean_Pa") == near(-1000 * 2.0 / 3, 1e-9));
   CHECK(value("box.velocity_mean_x_m_s") == near(0.2, 1e-12));
   CHECK(value("box.flow_x_m2_s") == near(volume * 0.2 / 0.1, 1e-12));
   CHECK(value("box.flow_y_m2_s") == near(-volume * 0.3 / 0.6, 1e-12));

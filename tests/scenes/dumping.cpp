@@ -77,6 +77,20 @@ TEST_CASE("A container sinks into a bed with an exact surface, where it hovers a
   CHECK(depth("cases/dump_kekerdom_undrained.toml") < 0.2);  // 0.06
 }
 
+TEST_CASE("A bag settles as deep in a bed whose pore water acts at the end of the step as in an explicit one") {
+  const auto settled = [](const char* implicit) {
+    return SceneRun("cases/verification/bag_on_undrained_bed.toml",
+                    {"time.end=2.0", std::string("bodies.bed.implicit_pore_pressure=") + implicit,
+                     std::string("bodies.bag.implicit_pore_pressure=") + implicit, "results=", "verify=", "variants="});
+  };
+  const SceneRun implicit = settled("true"), without = settled("false");
+  const auto centre = [](const SceneRun& run) { return run.column("bag.position_y_m").back(); };
+  CHECK(implicit.column("step").back() < 0.35 * without.column("step").back());
+  CHECK(centre(implicit) == near(centre(without), 0.06));  // with the rows of the interface after the pores: 30 % off
+  CHECK(implicit.column("section.vertical_stress_mean_Pa").back() ==
+        near(without.column("section.vertical_stress_mean_Pa").back(), 0.005));
+}
+
 TEST_CASE("A block leaves its bed without pulling at it, and bounces off it") {
   const SceneRun up("tests/scenes/lift_off.toml", {});
   CHECK(up.result("block_velocity_m_s") == near(0.5, 0.0004));

@@ -7,6 +7,7 @@ namespace geodrop {
 RegionSums& RegionSums::operator+=(const RegionSums& other) {
   volume += other.volume;
   pressure += other.pressure;
+  vertical_stress += other.vertical_stress;
   for (std::size_t a = 0; a < flow.size(); ++a) flow[a] += other.flow[a];
   return *this;
 }
@@ -21,7 +22,7 @@ RegionSums region_sums(const Scene& scene, const RegionProbeSpec& probe, const S
       for (int a = 0; a < Dim; ++a)
         if (body.x[a][p] < probe.lower[a] || body.x[a][p] >= probe.upper[a]) return;
       const double volume = body.volume(p);
-      RegionSums one{volume, volume * mean_pressure(body, p)};
+      RegionSums one{volume, volume * mean_pressure(body, p), volume * total_stress(body, p)[vertical_axis<Dim>]};
       for (int a = 0; a < Dim; ++a) one.flow[a] = volume * body.v[a][p];
       sums += one;
     });

@@ -1,4 +1,4 @@
-// What the particles of a material do that are in a box now: their pressure, and how much of them flows through it.
+// What the particles of a material do that are in a box now: their pressure and vertical stress, and how much of them flows through it.
 #pragma once
 
 #include "probe.hpp"
@@ -8,7 +8,8 @@ namespace geodrop {
 struct RegionProbeSpec {
   static constexpr const char* word = "region";
   static constexpr const char* meaning =
-      "volume, mean pressure, mean velocity and flow of what a material has in a box now";
+      "volume, mean pressure, mean vertical stress (total, in soil with its pore pressure; tension positive), mean velocity "
+      "and flow of what a material has in a box now";
 
   std::string name;
   std::string material;  ///< of one body or of several
@@ -39,6 +40,7 @@ struct RegionProbeSpec {
 struct RegionSums {
   double volume = 0;                ///< [m3]
   double pressure = 0;              ///< times volume [N m]
+  double vertical_stress = 0;       ///< likewise
   std::array<double, 3> flow = {};  ///< volume times velocity [m4/s]
   RegionSums& operator+=(const RegionSums&);
 };
@@ -56,6 +58,7 @@ void RegionProbeSpec::list(HistoryRow& row, const Scene& scene, const State<Dim>
   }
   row.add(name + (Dim == 2 ? ".volume_m2" : ".volume_m3"), sums.volume);
   row.add(name + ".pressure_mean_Pa", sums.pressure / sums.volume);
+  row.add(name + ".vertical_stress_mean_Pa", sums.vertical_stress / sums.volume);
   row.add_vector(name + ".velocity_mean", "m_s", velocity, Dim);
   row.add_vector(name + ".flow", Dim == 2 ? "m2_s" : "m3_s", flow, Dim);
 }
