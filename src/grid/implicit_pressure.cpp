@@ -70,10 +70,18 @@ template <int Dim>
 void add_slopes_of_cell(const Grid<Dim>& grid, int flat, std::vector<SlopeAt<Dim>>& slopes) {
   const std::array<int, Dim> cell = stored_cell(grid.layout, flat);
   const double share = grid.volume_rate[flat] * face_measure(grid.layout);  // of soften_light_cells
+  std::array<std::array<double, 3>, Dim> value, slope;
+  for (int a = 0; a < Dim; ++a) {
+    value[a] = grid.integrals[a].value[cell[a]];
+    slope[a] = grid.integrals[a].slope[cell[a]];
+  }
   for_neighbourhood(grid.layout, flat, [&](int node, const std::array<int, Dim>& entry) {
-    std::array<double, Dim> g;
-    for (int a = 0; a < Dim; ++a) g[a] = share * slope_integral<Dim>(grid, cell, entry, a);
-    slopes.push_back({node, g});
+    SlopeAt<Dim> at{node, {}};
+    for (int a = 0; a < Dim; ++a) {
+      at.g[a] = share;
+      for (int b = 0; b < Dim; ++b) at.g[a] *= (a == b ? slope : value)[b][entry[b]];
+    }
+    slopes.push_back(at);
   });
 }
 
@@ -121,6 +129,8 @@ class PoreSystem {
   PoreSystem(const Grid<Dim>& grid, double dt) : column_(grid.layout.nodes(), -1) {
     const std::vector<Pressed> all = find_pressed(grid);
     compressibility_.resize(static_cast<Eigen::Index>(all.size()));
+    of_pressure_.begin.reserve(all.size() + 1);
+    of_pressure_.entries.reserve(all.size() * (Dim == 2 ? 9 : 27));
     for (std::size_t r = 0; r < all.size(); ++r) add_row(grid, all[r], dt, compressibility_[r]);
     number_nodes(grid);
     transpose();
