@@ -122,6 +122,9 @@ void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed& pressed, std::vec
       for (int a = 0; a < Dim; ++a) slopes.back().g[a] += entry.g[a];
 }
 
+/// Shorter products are not worth waking threads for: one of 2000 rows takes 15 us.
+constexpr int rows_worth_threads = 8192;
+
 /// The system for q = dt dp.
 template <int Dim>
 class PoreSystem {
@@ -142,7 +145,7 @@ class PoreSystem {
   Eigen::VectorXd times(const Eigen::VectorXd& q) const {
     const std::vector<std::array<double, Dim>> moved = changes(q);
     Eigen::VectorXd out(q.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (of_pressure_.rows() >= rows_worth_threads)
     for (int r = 0; r < of_pressure_.rows(); ++r) out[r] = compressibility_[r] * q[r] + flow(r, moved);
     return out;
   }
@@ -170,7 +173,7 @@ class PoreSystem {
   /// What q does to the velocities of nodes() [m/s].
   std::vector<std::array<double, Dim>> changes(const Eigen::VectorXd& q) const {
     std::vector<std::array<double, Dim>> out(nodes_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (of_node_.rows() >= rows_worth_threads)
     for (int n = 0; n < of_node_.rows(); ++n) {
       std::array<double, Dim> impulse{};
       for (std::size_t k = of_node_.begin[n]; k < of_node_.begin[n + 1]; ++k)

@@ -60,7 +60,8 @@ void for_each_active_node_of_layer(const Grid<Dim>& grid, int axis, int coordina
   int blocks_per_layer = 1;
   for (int a = 0; a < axis; ++a) blocks_per_layer *= layout.blocks[a];
   const auto n = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
-#pragma omp parallel for schedule(static) if (n >= blocks_worth_threads)
+  constexpr std::ptrdiff_t layers_of_a_block = 64;  // a layer takes a small part of the time of its blocks
+#pragma omp parallel for schedule(static) if (n >= layers_of_a_block * blocks_worth_threads)
   for (std::ptrdiff_t b = 0; b < n; ++b) {
     const std::uint32_t block = grid.active_blocks[b];
     if (static_cast<int>(block) / blocks_per_layer % layout.blocks[axis] != layer_block) continue;
