@@ -18,7 +18,7 @@ namespace {
 
 /// What has one pore pressure: a cell, or the parts of cells beside a sharp interface that share one.
 struct Pressed {
-  int cell = -1;                   ///< -1: parts
+  int cell = -1;                    ///< -1: parts
   std::size_t first = 0, last = 0;  ///< of Grid::part_cells
 };
 
@@ -87,8 +87,7 @@ void add_slopes_of_cell(const Grid<Dim>& grid, int flat, std::vector<SlopeAt<Dim
 
 /// The force on a node, as nodes of small mass hand it on: the adjoint of carried_velocity.
 template <int Dim>
-void add_carried(const Grid<Dim>& grid, int flat, const std::array<double, Dim>& g,
-                 std::vector<SlopeAt<Dim>>& slopes) {
+void add_carried(const Grid<Dim>& grid, int flat, const std::array<double, Dim>& g, std::vector<SlopeAt<Dim>>& slopes) {
   const auto add = [&](int node, double share) {
     slopes.push_back({node, g});
     for (double& component : slopes.back().g) component *= share;
@@ -239,9 +238,9 @@ class PoreSystem {
   }
 
   EntriesByRow<SlopeAt<Dim>> of_pressure_, of_node_;
-  std::vector<int> nodes_, column_;                   ///< flat indices of the nodes, and their numbers by flat index
-  std::vector<std::array<double, Dim>> lightness_;    ///< by node
-  Eigen::VectorXd compressibility_;                   ///< V_c^2 / (K_c V_c dt^2)
+  std::vector<int> nodes_, column_;                 ///< flat indices of the nodes, and their numbers by flat index
+  std::vector<std::array<double, Dim>> lightness_;  ///< by node
+  Eigen::VectorXd compressibility_;                 ///< V_c^2 / (K_c V_c dt^2)
 };
 
 /// Conjugate gradients with the diagonal as preconditioner.

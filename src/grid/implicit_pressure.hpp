@@ -7,10 +7,10 @@
 // the velocities change here: the particles' pore pressures follow from the volume rates as without it. The system
 // (V_c / (K_c dt^2) + g M^-1 g^T) q = -g . v for q = dt dp is symmetric and positive definite, whatever the masses of
 // nodes: those of small mass take all of their impulse here. Conjugate gradients.
-// Parts of cells beside a sharp interface that share a pressure are one row. There nodes of small mass hand on what they
-// cannot take, as their volume rates see it (carried_velocity). After join_interfaces: the velocities that this leaves
-// are those of the volume rates, so that at rest the stored pore pressure is the one that acts.
-// As the semi-implicit treatment of pressure by Chorin (1968), with compressibility.
+// Parts of cells beside a sharp interface that share a pressure are one row. There nodes of small mass hand on what
+// they cannot take, as their volume rates see it (carried_velocity). After join_interfaces: the velocities that this
+// leaves are those of the volume rates, so that at rest the stored pore pressure is the one that acts. As the
+// semi-implicit treatment of pressure by Chorin (1968), with compressibility.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>

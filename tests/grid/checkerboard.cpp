@@ -210,7 +210,8 @@ TEST_CASE("Cells that are not filled, or hold something else or a part of a shar
   }
 }
 
-TEST_CASE("Water, drained soil, and pore pressure by particle have no filter; pore pressure at the end of the step has") {
+TEST_CASE(
+    "Water, drained soil, and pore pressure by particle have no filter; pore pressure at the end of the step has") {
   Scene scene = undrained<2>(box_scene<2>(4, 0.25, WallKind::slip));
   CHECK(has_checkerboard(scene, scene.bodies.front()));
   CHECK_FALSE(make_grid<2>(scene).pore_volume.empty());

@@ -148,8 +148,8 @@ void check_work_with_parts(const Scene& scene) {
     double inertia = 0;
     for_each_node(after.layout, 0, [&](int flat, const auto&) {
       for (int a = 0; a < Dim; ++a)
-        inertia += after.sum[flat][3] * (after.velocity[flat][a] - before.velocity[flat][a]) / dt *
-                   other.velocity[flat][a];
+        inertia +=
+            after.sum[flat][3] * (after.velocity[flat][a] - before.velocity[flat][a]) / dt * other.velocity[flat][a];
     });
     const double work = work_of_pressures(after, rates_with_parts(after), rates_with_parts(other));
     CHECK(inertia == near(work, 1e-4));

@@ -1,4 +1,5 @@
-// What the particles of a material do that are in a box now: their pressure and vertical stress, and how much of them flows through it.
+// What the particles of a material do that are in a box now: their pressure and vertical stress, and how much of them
+// flows through it.
 #pragma once
 
 #include "probe.hpp"
@@ -8,7 +9,8 @@ namespace geodrop {
 struct RegionProbeSpec {
   static constexpr const char* word = "region";
   static constexpr const char* meaning =
-      "volume, mean pressure, mean vertical stress (total, in soil with its pore pressure; tension positive), mean velocity "
+      "volume, mean pressure, mean vertical stress (total, in soil with its pore pressure; tension positive), mean "
+      "velocity "
       "and flow of what a material has in a box now";
 
   std::string name;
