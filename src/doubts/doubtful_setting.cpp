@@ -57,6 +57,12 @@ std::string wave_speed_doubt(const Scene& scene, const BodySpec& body) {
          ", a fluid is weakly compressible up to 0.3 only; take a sound_speed of " + number(10 * speed) + " m/s";
 }
 
+std::string seed_doubt(const Scene&, const BodySpec& body) {
+  if (body.jitter_seed == 0 || body.jitter > 0) return {};
+  return "bodies." + body.name + ".jitter_seed = " + std::to_string(body.jitter_seed) + " changes nothing: bodies." +
+         body.name + ".jitter is 0";
+}
+
 std::string finer_grid(const Scene& scene, double most) {
   const double fine = largest_allowed_spacing(scene, most);
   return fine > 0 ? fmt::format("take grid.spacing = {} [m]", fine) : "no grid.spacing fine enough divides the domain";
@@ -134,7 +140,7 @@ std::vector<std::string> doubtful_numerics(const Scene& scene) {
   if (scene.solver.courant > usual)
     found.push_back("solver.courant = " + number(scene.solver.courant) + " is above " + number(usual) +
                     ", up to which splashing water was tried");
-  for (const auto doubt_of : {shift_doubt, coarse_content_doubt})
+  for (const auto doubt_of : {shift_doubt, coarse_content_doubt, seed_doubt})
     for (const BodySpec& body : scene.bodies)
       if (std::string doubt = doubt_of(scene, body); !doubt.empty()) found.push_back(std::move(doubt));
   return found;

@@ -136,6 +136,14 @@ TEST_CASE("A body within a membrane has four cells across") {
                "bodies.bed is"));
 }
 
+TEST_CASE("A seed of offsets that are zero is doubted") {
+  const char* const scene = "cases/hydrostatic_column.toml";
+  CHECK(contains(joined({"bodies.water.jitter=0.0"}, scene),
+                 "bodies.water.jitter_seed = 1 changes nothing: bodies.water.jitter is 0"));
+  CHECK_FALSE(contains(joined({}, scene), "jitter_seed"));
+  CHECK_FALSE(contains(joined({"bodies.water.jitter=0.0", "bodies.water.jitter_seed=0"}, scene), "jitter_seed"));
+}
+
 TEST_CASE("The spacing that the doubt about shift advises is accepted, and raises it no more") {
   using Settings = std::vector<std::string>;
   const std::pair<const char*, Settings> cases[] = {
