@@ -29,7 +29,7 @@ std::ptrdiff_t task_count(const Body<Dim>& body) {
 template <int Dim, class F>
 void for_each_task(const Body<Dim>& body, F&& f) {
   const std::ptrdiff_t tasks = task_count(body);
-#pragma omp parallel for schedule(static) if (body.size() >= particles_worth_threads)
+#pragma omp parallel for schedule(dynamic, 4) if (body.size() >= particles_worth_threads)
   for (std::ptrdiff_t task = 0; task < tasks; ++task)
     f(task, task * task_share, std::min(body.size(), (task + 1) * task_share));
 }
