@@ -16,6 +16,7 @@
 #include "grid/cell_pressure.hpp"
 #include "grid/momentum.hpp"
 #include "grid/nearby_cells.hpp"
+#include "grid/part_groups.hpp"
 #include "wet_cells.hpp"
 
 namespace geodrop {
@@ -123,24 +124,6 @@ void sort_by_host(Grid<Dim>& grid, PartList<Dim>& parts) {
             [](const auto& a, const auto& b) { return std::pair(a.host, a.flat) < std::pair(b.host, b.flat); });
 }
 
-/// f(first, last) for the parts that share one pressure.
-template <class Parts, class F>
-void for_each_group(Parts& parts, F&& f) {
-  auto first = std::find_if(parts.begin(), parts.end(), [](const auto& part) { return part.host >= 0; });
-  while (first != parts.end()) {
-    const auto last = std::find_if(first, parts.end(), [&](const auto& p) { return p.host != first->host; });
-    f(first, last);
-    first = last;
-  }
-}
-
-template <int Dim>
-double volume_of_group(const Grid<Dim>& grid, auto first, auto last) {
-  double volume = 0;
-  for (auto part = first; part != last; ++part) volume += grid.cell_volume[part->flat];
-  return volume;
-}
-
 /// One pressure for all parts of each group; parts without a host leave it to their particles.
 template <int Dim>
 void share_pressure(Grid<Dim>& grid) {
@@ -152,7 +135,7 @@ void share_pressure(Grid<Dim>& grid) {
   for_each_group(grid.part_cells, [&](auto first, auto last) {
     double sum = 0;
     for (auto part = first; part != last; ++part) sum += grid.cell_pressure[part->flat] * grid.cell_volume[part->flat];
-    const double pressure = sum / volume_of_group(grid, first, last);
+    const double pressure = sum / sum_of_group(grid.cell_volume, first, last);
     for (auto part = first; part != last; ++part) {
       grid.cell_pressure[part->flat] = pressure;
       grid.cell_flags[part->flat] |= cell_filled;
@@ -345,7 +328,7 @@ void update_interface_rates(Grids<Dim>& grids) {
           for (int a = 1; a < Dim; ++a) along += part->slope[n][a] * v[a];
           flow += along;
         }
-      const double rate = flow / volume_of_group(grid, first, last);
+      const double rate = flow / sum_of_group(grid.cell_volume, first, last);
       for (auto part = first; part != last; ++part) grid.volume_rate[part->flat] = rate;
     });
   }

@@ -19,11 +19,6 @@ namespace {
 /// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [width of the cell].
 constexpr double least_length = 0.25;
 
-template <int Dim>
-double light_mass_at(const Grid<Dim>& grid, int node) {
-  return light_mass<Dim>(grid, stored_cell(grid.layout, node));
-}
-
 }  // namespace
 
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece) {
@@ -219,10 +214,8 @@ class RowInField {
   }
 
   Ways find_ways(int node) {
-    const double mass = grid_.sum[node][3], kept = std::min(1.0, mass / light_mass_at(grid_, node));
     Ways ways{static_cast<int>(shares_.size())};
-    if (kept > 0) put(node, kept);
-    if (kept < 1) ways.leads_nowhere = !spread(node, 1 - kept);
+    ways.leads_nowhere = !for_shares_of_impulse<Dim>(grid_, node, [&](int to, double share) { put(to, share); });
     ways.end = static_cast<int>(shares_.size());
     return ways;
   }
@@ -238,18 +231,6 @@ class RowInField {
       root_mass_.push_back(std::sqrt(grid_.sum[node][3]));
     }
     shares_.push_back({slot, share / root_mass_[slot]});
-  }
-
-  /// As grid/momentum hands on what a light node cannot take; false if nothing around has mass.
-  bool spread(int node, double share) {
-    double mass = 0;
-    for (int n = 0; n < nodes_around<Dim>; ++n) mass += grid_.sum[node_around(grid_.layout, node, n)][3];
-    if (mass <= 0) return false;
-    for (int n = 0; n < nodes_around<Dim>; ++n) {
-      const int other = node_around(grid_.layout, node, n);
-      if (grid_.sum[other][3] > 0) put(other, share * grid_.sum[other][3] / mass);
-    }
-    return true;
   }
 
   /// Hands the rest to the nodes that the row reaches in this field already, by their mass.

@@ -12,41 +12,36 @@
 #include "cell_pressure.hpp"
 #include "momentum.hpp"
 #include "neighbourhood.hpp"
+#include "part_groups.hpp"
 
 namespace geodrop {
 namespace {
 
 /// What has one pore pressure: a cell, or the parts of cells beside a sharp interface that share one.
+template <int Dim>
 struct Pressed {
-  int cell = -1;                    ///< -1: parts
-  std::size_t first = 0, last = 0;  ///< of Grid::part_cells
+  using Part = typename std::vector<PartCell<Dim>>::const_iterator;
+  int cell;          ///< -1: parts
+  Part first, last;  ///< of Grid::part_cells
 };
 
 template <int Dim>
-double modulus_of_parts(const Grid<Dim>& grid, std::size_t first, std::size_t last) {
-  double sum = 0;
-  for (std::size_t part = first; part != last; ++part) sum += grid.pore_modulus[grid.part_cells[part].flat];
-  return sum;
-}
-
-template <int Dim>
-std::vector<Pressed> find_pressed(const Grid<Dim>& grid) {
+std::vector<Pressed<Dim>> find_pressed(const Grid<Dim>& grid) {
   const auto& parts = grid.part_cells;
   std::vector<int> cut;
   for (const PartCell<Dim>& part : parts) cut.push_back(part.flat);
   std::sort(cut.begin(), cut.end());
-  std::vector<Pressed> out;
+  std::vector<Pressed<Dim>> out;
   for (const std::uint32_t block : grid.active_blocks)
     for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>&) {
       for (int flat = begin; flat < begin + count; ++flat)
         if (grid.pore_modulus[flat] > 0 && carries_pressure(grid, flat) &&
             !std::binary_search(cut.begin(), cut.end(), flat))
-          out.push_back({flat});
+          out.push_back({flat, parts.end(), parts.end()});
     });
-  for (std::size_t first = 0, last = 0; first < parts.size(); first = last) {
-    while (last < parts.size() && parts[last].host == parts[first].host) ++last;
-    if (parts[first].host >= 0 && modulus_of_parts(grid, first, last) > 0) out.push_back({-1, first, last});
-  }
+  for_each_group(parts, [&](auto first, auto last) {
+    if (sum_of_group(grid.pore_modulus, first, last) > 0) out.push_back({-1, first, last});
+  });
   return out;
 }
 
@@ -57,11 +52,11 @@ struct SlopeAt {
   std::array<double, Dim> g;
 };
 
-/// Lists of entries, one for each row.
-template <class Entry>
-struct EntriesByRow {
+/// The g of each row of a matrix.
+template <int Dim>
+struct SlopesByRow {
   std::vector<std::size_t> begin{0};
-  std::vector<Entry> entries;
+  std::vector<SlopeAt<Dim>> entries;
 
   int rows() const { return static_cast<int>(begin.size()) - 1; }
 };
@@ -85,31 +80,18 @@ void add_slopes_of_cell(const Grid<Dim>& grid, int flat, std::vector<SlopeAt<Dim
   });
 }
 
-/// The force on a node, as nodes of small mass hand it on: the adjoint of carried_velocity.
+/// With what nodes of small mass hand on, as the volume rates of parts see it (carried_velocity).
 template <int Dim>
-void add_carried(const Grid<Dim>& grid, int flat, const std::array<double, Dim>& g, std::vector<SlopeAt<Dim>>& slopes) {
-  const auto add = [&](int node, double share) {
-    slopes.push_back({node, g});
-    for (double& component : slopes.back().g) component *= share;
-  };
-  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, stored_cell(grid.layout, flat));
-  if (mass >= light) return add(flat, 1);
-  double around = 0;
-  for_neighbourhood(grid.layout, flat, [&](int node, const auto&) { around += grid.sum[node][3]; });
-  if (!(around > 0)) return;
-  const double kept = mass / light;
-  add(flat, kept);
-  for_neighbourhood(grid.layout, flat,
-                    [&](int node, const auto&) { add(node, (1 - kept) * grid.sum[node][3] / around); });
-}
-
-template <int Dim>
-void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed& pressed, std::vector<SlopeAt<Dim>>& slopes) {
+void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed<Dim>& pressed, std::vector<SlopeAt<Dim>>& slopes) {
   std::vector<SlopeAt<Dim>> carried;
-  for (std::size_t part = pressed.first; part != pressed.last; ++part) {
+  for (auto part = pressed.first; part != pressed.last; ++part) {
     std::size_t n = 0;
-    for_neighbourhood(grid.layout, grid.part_cells[part].flat, [&](int node, const auto&) {
-      add_carried<Dim>(grid, node, grid.part_cells[part].slope[n++], carried);
+    for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
+      const std::array<double, Dim>& g = part->slope[n++];
+      for_shares_of_impulse<Dim>(grid, node, [&](int to, double share) {
+        carried.push_back({to, g});
+        for (double& component : carried.back().g) component *= share;
+      });
     });
   }
   std::stable_sort(carried.begin(), carried.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
@@ -128,8 +110,8 @@ constexpr int rows_worth_threads = 8192;
 template <int Dim>
 class PoreSystem {
  public:
-  PoreSystem(const Grid<Dim>& grid, double dt) : column_(grid.layout.nodes(), -1) {
-    const std::vector<Pressed> all = find_pressed(grid);
+  PoreSystem(const Grid<Dim>& grid, double dt) {
+    const std::vector<Pressed<Dim>> all = find_pressed(grid);
     compressibility_.resize(static_cast<Eigen::Index>(all.size()));
     of_pressure_.begin.reserve(all.size() + 1);
     of_pressure_.entries.reserve(all.size() * (Dim == 2 ? 9 : 27));
@@ -185,7 +167,7 @@ class PoreSystem {
   const std::vector<int>& nodes() const { return nodes_; }
 
  private:
-  void add_row(const Grid<Dim>& grid, const Pressed& pressed, double dt, double& compressibility) {
+  void add_row(const Grid<Dim>& grid, const Pressed<Dim>& pressed, double dt, double& compressibility) {
     double volume = 0, modulus = 0;
     if (pressed.cell >= 0) {
       add_slopes_of_cell(grid, pressed.cell, of_pressure_.entries);
@@ -193,18 +175,18 @@ class PoreSystem {
       modulus = grid.pore_modulus[pressed.cell];
     } else {
       add_slopes_of_parts(grid, pressed, of_pressure_.entries);
-      for (std::size_t part = pressed.first; part != pressed.last; ++part)
-        volume += grid.cell_volume[grid.part_cells[part].flat];
-      modulus = modulus_of_parts(grid, pressed.first, pressed.last);
+      volume = sum_of_group(grid.cell_volume, pressed.first, pressed.last);
+      modulus = sum_of_group(grid.pore_modulus, pressed.first, pressed.last);
     }
     of_pressure_.begin.push_back(of_pressure_.entries.size());
     compressibility = volume * volume / (modulus * dt * dt);
   }
 
-  /// In the place of flat indices; 1 / m of each component, 0 for what does not move [1/kg].
+  /// Numbers in the place of flat indices; 1 / m of each component, 0 for what does not move [1/kg].
   void number_nodes(const Grid<Dim>& grid) {
+    std::vector<int> number(grid.layout.nodes(), -1);
     for (SlopeAt<Dim>& entry : of_pressure_.entries) {
-      int& column = column_[entry.at];
+      int& column = number[entry.at];
       if (column < 0) {
         column = static_cast<int>(nodes_.size());
         nodes_.push_back(entry.at);
@@ -237,8 +219,8 @@ class PoreSystem {
     return sum;
   }
 
-  EntriesByRow<SlopeAt<Dim>> of_pressure_, of_node_;
-  std::vector<int> nodes_, column_;                 ///< flat indices of the nodes, and their numbers by flat index
+  SlopesByRow<Dim> of_pressure_, of_node_;
+  std::vector<int> nodes_;                          ///< flat indices
   std::vector<std::array<double, Dim>> lightness_;  ///< by node
   Eigen::VectorXd compressibility_;                 ///< V_c^2 / (K_c V_c dt^2)
 };

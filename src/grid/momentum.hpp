@@ -5,6 +5,10 @@
 #include <geodrop/scene/numerics.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <algorithm>
+
+#include "neighbourhood.hpp"
+
 namespace geodrop {
 
 /// Mass below which a node, given by its stored coordinates, is light [kg]: on a graded grid a share of what its own
@@ -36,8 +40,26 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
 template <int Dim>
 std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat);
 
+/// f(node, share) for where an impulse at a node goes: one of small mass keeps mass / light mass of it and hands on the
+/// rest to the nodes around, by their mass. False if nothing around has mass: the rest goes nowhere.
+template <int Dim, class F>
+bool for_shares_of_impulse(const Grid<Dim>& grid, int flat, F&& f) {
+  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, stored_cell(grid.layout, flat));
+  const double kept = std::min(1.0, mass / light);
+  if (kept > 0) f(flat, kept);
+  if (!(kept < 1)) return true;
+  double around = 0;
+  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) { around += grid.sum[other][3]; });
+  if (around <= 0) return false;
+  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) {
+    if (grid.sum[other][3] > 0) f(other, (1 - kept) * grid.sum[other][3] / around);
+  });
+  return true;
+}
+
 /// Velocity at a node as impulses see it [m/s]: that of a node of small mass counts by the part of an impulse that it
-/// takes, that of its neighbourhood by the rest. Rates of volume from it are the adjoint of update_momentum.
+/// takes, that of its neighbourhood by the rest (the adjoint of for_shares_of_impulse). Rates of volume from it are the
+/// adjoint of update_momentum.
 template <int Dim>
 Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node);
 

@@ -10,8 +10,7 @@ struct RegionProbeSpec {
   static constexpr const char* word = "region";
   static constexpr const char* meaning =
       "volume, mean pressure, mean vertical stress (total, in soil with its pore pressure; tension positive), mean "
-      "velocity "
-      "and flow of what a material has in a box now";
+      "velocity and flow of what a material has in a box now";
 
   std::string name;
   std::string material;  ///< of one body or of several
