@@ -49,13 +49,14 @@ double spline_size(const GridLayout<Dim>& layout, int node) {
   return size;
 }
 
-/// Whether the field's part of a cell stands by itself.
+/// Whether the field's part of a cell stands by itself. Water in pores has to fill its share of what the grains leave,
+/// too: a flow into the cell over the little volume of one particle squeezes that to nothing.
 template <int Dim>
 bool stands(const Grid<Dim>& grid, int flat) {
-  const double whole = cell_size(grid.layout, flat);
-  const double grains = grid.occupied.empty() ? 0.0 : grid.occupied[flat];
-  return 1 - grid.taken[flat] >= least_part && carries_pressure(grid, flat) &&
-         grid.cell_volume[flat] + grains >= least_filled * whole;
+  const double whole = cell_size(grid.layout, flat), part = 1 - grid.taken[flat];
+  const double filled = grid.cell_volume[flat], grains = grid.occupied.empty() ? 0.0 : grid.occupied[flat];
+  return part >= least_part && carries_pressure(grid, flat) && filled + grains >= least_filled * whole &&
+         filled >= least_filled * (part * whole - grains);
 }
 
 /// The nearest cell that stands by itself, rather one to the side that `towards` points to: a thin body has water on
@@ -328,7 +329,7 @@ void update_interface_rates(Grids<Dim>& grids) {
           for (int a = 1; a < Dim; ++a) along += part->slope[n][a] * v[a];
           flow += along;
         }
-      const double rate = flow / sum_of_group(grid.cell_volume, first, last);
+      const double rate = first->share * flow / sum_of_group(grid.cell_volume, first, last);
       for (auto part = first; part != last; ++part) grid.volume_rate[part->flat] = rate;
     });
   }

@@ -16,6 +16,7 @@
 #include "grid/momentum.hpp"
 #include "interface_contacts.hpp"
 #include "interface_rows.hpp"
+#include "traction_basis.hpp"
 
 namespace geodrop {
 namespace {
@@ -59,11 +60,6 @@ std::vector<RowsOfContact<Dim>> rows_of(const Grids<Dim>& grids, const std::vect
 template <int Dim>
 class ContactRows {
  public:
-  struct Row {
-    std::size_t contact;
-    Says says;
-  };
-
   explicit ContactRows(const Grids<Dim>& grids) : rows_(grids) {}
 
   /// False if one of the sides has no mass there.
@@ -74,11 +70,11 @@ class ContactRows {
   }
 
   Rows<Dim>& rows() { return rows_; }
-  const std::vector<Row>& list() const { return list_; }
+  const std::vector<RowOfContact>& list() const { return list_; }
 
  private:
   Rows<Dim> rows_;
-  std::vector<Row> list_;
+  std::vector<RowOfContact> list_;
 };
 
 /// What the rows along a membrane say.
@@ -139,7 +135,7 @@ Solution solve(const SparseRows& S, const Eigen::VectorXd& gap_rate, const Eigen
   constexpr double tolerance = 1e-8;  // of the gaps' rate
   constexpr int most_iterations = 1000;
   // Rows stand in the order of the outline. With the diagonal alone 98 iterations in the place of 3
-  // (main case, 116 rows).
+  // (main case, 116 rows, a pressure for each stretch).
   using Preconditioner = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
   Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper, Preconditioner> solver(S);
   solver.setTolerance(tolerance);
@@ -173,13 +169,9 @@ Solution solve(const System& system, const std::vector<bool>& only_pushes, const
   return found;
 }
 
-/// The system of rows, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows ask
-/// for velocities after it.
-template <int Dim>
-System system_of(ContactRows<Dim>& rows, SparseRows& E, double dt) {
-  const Drag drag = rows.rows().drag(dt);
-  E = rows.rows().matrix();
-  const Eigen::VectorXd velocity_rate = rows.rows().scaled_velocities() / dt;
+/// The system of rows E, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows
+/// ask for velocities after it. velocity_rate: M^1/2 v / dt.
+System system_of(const SparseRows& E, const Drag& drag, const Eigen::VectorXd& velocity_rate) {
   if (drag.empty()) return {times_transpose(E, E), E * velocity_rate};
   const SparseRows dragged = times(E, drag);
   return {times_transpose(dragged, E), dragged * velocity_rate};
@@ -188,17 +180,22 @@ System system_of(ContactRows<Dim>& rows, SparseRows& E, double dt) {
 /// Flow through membranes, q = permeance (p_inside - p_around), in the rows of both sides of a stretch; into the bed
 /// there is none.
 template <int Dim>
-void let_through(const ContactRows<Dim>& rows, const std::vector<Contact<Dim>>& contacts, double dt, SparseRows& S) {
+SparseRows flow_through(const ContactRows<Dim>& rows, const std::vector<Contact<Dim>>& contacts, double dt,
+                        Eigen::Index size) {
+  std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t r = 0; r < rows.list().size(); ++r) {
     const Contact<Dim>& contact = contacts[rows.list()[r].contact];
     if (rows.list()[r].says != Says::through || contact.on_bed || contact.membrane->permeance == 0) continue;
-    const auto inside = static_cast<Eigen::Index>(r), around = inside - 1;  // its row comes first
+    const int inside = static_cast<int>(r), around = inside - 1;  // its row comes first
     const double flow = contact.membrane->permeance * contact.stretch.size / dt;
-    S.coeffRef(inside, inside) += flow;
-    S.coeffRef(around, around) += flow;
-    S.coeffRef(inside, around) -= flow;
-    S.coeffRef(around, inside) -= flow;
+    entries.emplace_back(inside, inside, flow);
+    entries.emplace_back(around, around, flow);
+    entries.emplace_back(inside, around, -flow);
+    entries.emplace_back(around, inside, -flow);
   }
+  SparseRows out(size, size);
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
 }
 
 template <int Dim>
@@ -236,21 +233,38 @@ struct Joint {
   AnchorRows<Dim> held;
 };
 
-/// Multipliers of the last step, and which may only push (lines: pull).
+/// Multipliers of the last step of all rows, and which may only push (lines: pull).
 template <int Dim>
-std::pair<Eigen::VectorXd, std::vector<bool>> guess(const ContactRows<Dim>& rows, const Joint<Dim>& joint,
-                                                    const Grids<Dim>& grids) {
-  Eigen::VectorXd guess(rows.list().size() + joint.held.size());
+std::pair<Eigen::VectorXd, std::vector<bool>> last_of(const ContactRows<Dim>& rows, const Joint<Dim>& joint,
+                                                      const Grids<Dim>& grids) {
+  Eigen::VectorXd last(rows.list().size() + joint.held.size());
   std::vector<bool> only_pushes;
   Eigen::Index r = 0;
   for (const auto& [c, says] : rows.list()) {
     const Contact<Dim>& contact = joint.contacts[c];
-    guess[r++] = last_traction(contact, grids[contact.membrane->field].outline, says);
+    last[r++] = last_traction(contact, grids[contact.membrane->field].outline, says);
     only_pushes.push_back(says == Says::normal && contact.on_bed);
   }
   for (const AnchorRow<Dim>& row : joint.held) {
-    guess[r++] = row.last();
+    last[r++] = row.last();
     only_pushes.push_back(row.anchor->line);
+  }
+  return {last, only_pushes};
+}
+
+/// At the knots: means of the rows around, and what may only push for one of them.
+std::pair<Eigen::VectorXd, std::vector<bool>> at_knots(const SparseRows& transposed_basis,
+                                                       const std::pair<Eigen::VectorXd, std::vector<bool>>& of_rows) {
+  const auto& [last, pushes] = of_rows;
+  Eigen::VectorXd guess = transposed_basis * last;
+  std::vector<bool> only_pushes(transposed_basis.rows(), false);
+  for (int k = 0; k < transposed_basis.rows(); ++k) {
+    double weight = 0;
+    for (SparseRows::InnerIterator entry(transposed_basis, k); entry; ++entry) {
+      weight += entry.value();
+      if (pushes[entry.col()]) only_pushes[k] = true;
+    }
+    guess[k] /= weight;
   }
   return {guess, only_pushes};
 }
@@ -268,16 +282,20 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
       for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
   }
   for (const AnchorRow<Dim>& anchor : held) rows.rows().add(anchor.row);
-  const auto [last, only_pushes] = guess(rows, joint, grids);
+  const auto last = last_of(rows, joint, grids);
   for (const Contact<Dim>& contact : contacts) forget_tractions(*contact.membrane);
-  if (only_pushes.empty()) return true;
-  SparseRows E;
-  System system = system_of(rows, E, dt);
-  let_through(rows, contacts, dt, system.S);
+  if (last.second.empty()) return true;
+  const SparseRows basis = traction_basis(contacts, grids, rows.list(), held.size()), to_knots = basis.transpose();
+  const Drag drag = rows.rows().drag(dt);
+  const SparseRows E = to_knots * rows.rows().matrix();
+  System system = system_of(E, drag, rows.rows().scaled_velocities() / dt);
+  const SparseRows flow = flow_through(rows, contacts, dt, basis.rows());
+  if (flow.nonZeros() > 0) system.S += SparseRows(to_knots * flow * basis);
   add_laws(held, dt, system.S, system.rate);
-  const auto [traction, converged] = solve(system, only_pushes, last);
+  const auto [guess, only_pushes] = at_knots(to_knots, last);
+  const auto [traction, converged] = solve(system, only_pushes, guess);
   apply_pressures(rows.rows(), E, traction, dt, grids);
-  store(rows, traction, grids, contacts);
+  store(rows, Eigen::VectorXd(basis * traction), grids, contacts);
   if (!held.empty()) keep_forces(held, dt, traction, Eigen::VectorXd(system.rate - system.S * traction));
   return converged;
 }
@@ -342,8 +360,9 @@ void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Con
     if (contacts[c].joined && contacts[c].rubs())
       for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
   if (rows.list().empty()) return;
-  SparseRows T;
-  const auto [S, slip_rate] = system_of(rows, T, dt);
+  const Drag drag = rows.rows().drag(dt);
+  const SparseRows T = rows.rows().matrix();
+  const auto [S, slip_rate] = system_of(T, drag, rows.rows().scaled_velocities() / dt);
   const Eigen::VectorXd slip = dt * slip_rate;
   Eigen::VectorXd guess(S.rows());
   std::vector<double> most(rows.list().size() / ways);

@@ -1,13 +1,14 @@
-// Normal velocities on both sides of a sharp interface are one, weakly: for each stretch r of a membrane, about a cell
-// long,
+// Normal velocities on both sides of a sharp interface are one, weakly: with e_r = sum_c in r sum_i b_ic . (v_i inside
+// - v_i around) of the stretches r of a membrane, each about a cell long,
 //
-//   sum_c in r sum_i b_ic . (v_i inside - v_i around) = 0
+//   sum_r B_rk e_r = 0
 //
-// Its multiplier p_r is the pressure on the membrane [Pa]: v_i inside -= dt p_r b_ir / m_i, around += dt p_r b_ir /
-// m_i. What light nodes cannot take goes to their neighbours, here as in grid/momentum, so that an even pressure
-// inside, around and on the membrane leaves no node with a force; b is spread in the same way, so that the system
+// for each knot k (traction_basis; in space each stretch is one). Its multiplier p_k is the pressure on the membrane
+// there [Pa], p_r = sum_k B_rk p_k that on a stretch: v_i inside -= dt p_r b_ir / m_i, around += dt p_r b_ir / m_i.
+// What light nodes cannot take goes to their neighbours, here as in grid/momentum, so that an even pressure inside,
+// around and on the membrane leaves no node with a force; b is spread in the same way, so that the system
 //
-//   S p = E v / dt,  S = E M^-1 E^T
+//   S p = E v / dt,  S = E M^-1 E^T,  rows of E by knots
 //
 // stays symmetric, and all impulses come in pairs. Conjugate gradients, from the pressures of the last step.
 //

@@ -34,6 +34,11 @@ using CellRow = std::array<double, GridLayout<Dim>::block_width[0]>;
 template <int Dim>
 CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt);
 
+/// The same for the parts of cells beside a sharp interface that share a pressure, before their force joins the nodal
+/// one; the share stands in PartCell::share.
+template <int Dim>
+void soften_light_parts(Grid<Dim>& grid, double dt);
+
 /// Where a cell has S > 1 its pressure takes the share sqrt(1/S), and so will its volume rate: the pair stays adjoint.
 /// The share of each cell stands in Grid::volume_rate until cell_volume_rate. Parts of cells beside a sharp interface
 /// keep theirs.

@@ -1,4 +1,4 @@
-// Partly filled cells that would be too stiff for the step.
+// Partly filled cells, and parts of cells beside a sharp interface, that would be too stiff for the step.
 //
 // The volume of one cell alone swings with (dt w)^2 = S = dt^2 K / V_c sum_i |int_c grad N_i|^2 / m_i, the m_i not
 // below the mass of small-mass nodes, and grows without bound beyond S = 4. A full cell of water at a Courant number of
@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "momentum.hpp"
 #include "neighbourhood.hpp"
+#include "part_groups.hpp"
 #include "seams.hpp"
 
 namespace geodrop {
@@ -102,6 +104,53 @@ CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::
   return swing;
 }
 
+namespace {
+
+/// S of the parts of cells that share a pressure.
+template <int Dim>
+double swing_of_parts(const Grid<Dim>& grid, auto first, auto last, double dt) {
+  struct Moved {
+    int node;
+    std::array<double, Dim> slope;
+  };
+  std::vector<Moved> moved;
+  for (auto part = first; part != last; ++part) {
+    std::size_t n = 0;
+    for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
+      moved.push_back({node, part->slope[n++]});
+    });
+  }
+  std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.node < b.node; });
+  double sum = 0;
+  for (std::size_t k = 0, next; k < moved.size(); k = next) {
+    std::array<double, Dim> slope{};
+    for (next = k; next < moved.size() && moved[next].node == moved[k].node; ++next)
+      for (int a = 0; a < Dim; ++a) slope[a] += moved[next].slope[a];
+    const double light = light_mass<Dim>(grid, stored_cell(grid.layout, moved[k].node));
+    const double inverse = lightness(grid, moved[k].node, 1 / std::max(grid.sum[moved[k].node][3], light));
+    for (int a = 0; a < Dim; ++a) sum += square(slope[a]) * inverse;
+  }
+  const double volume = sum_of_group(grid.cell_volume, first, last);
+  const double modulus =
+      grid.cell_modulus.empty() ? grid.largest_modulus : sum_of_group(grid.cell_modulus, first, last) / volume;
+  return square(dt) * modulus / volume * sum;
+}
+
+}  // namespace
+
+template <int Dim>
+void soften_light_parts(Grid<Dim>& grid, double dt) {
+  for_each_group(grid.part_cells, [&](auto first, auto last) {
+    if (!carries_pressure(grid, first->host)) return;
+    const double swing = swing_of_parts(grid, first, last, dt);
+    if (!(swing > most_swing)) return;
+    for (auto part = first; part != last; ++part) {
+      part->share = std::sqrt(most_swing / swing);
+      grid.cell_pressure[part->flat] *= part->share;
+    }
+  });
+}
+
 template <int Dim>
 void soften_light_cells(Grid<Dim>& grid, double dt) {
   Array<double>& share = grid.volume_rate;  // free until the volume rate is computed
@@ -124,6 +173,7 @@ void soften_light_cells(Grid<Dim>& grid, double dt) {
 
 #define GEODROP_INSTANTIATE(D)                                                                    \
   template CellRow<D> cell_swing<D>(const Grid<D>&, int, int, const std::array<int, D>&, double); \
+  template void soften_light_parts<D>(Grid<D>&, double);                                          \
   template void soften_light_cells<D>(Grid<D>&, double);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

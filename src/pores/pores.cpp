@@ -280,7 +280,10 @@ void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Di
     Grid<Dim>&grid = grids[soil.field], &around = grids[soil.water];
     weigh_nodes(grid, soil.grain_density, around);
     if (!around.node_inertial_drag.empty()) weigh_inertial_drag(grid, around);
-    if (around.largest_modulus > 0) soften_light_cells(around, dt);
+    if (around.largest_modulus > 0) {
+      soften_light_parts(around, dt);
+      soften_light_cells(around, dt);
+    }
     push_grains(grid, around);
     if constexpr (Dim == 2) push_beside_membrane(grid, around);
   });

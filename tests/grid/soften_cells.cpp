@@ -136,3 +136,26 @@ TEST_CASE("Parts of cells beside a sharp interface keep their pressure, which ha
   CHECK(grid.cell_pressure[part.flat] == 1e4);
   CHECK(grid.cell_pressure[grid.layout.index({4, 4})] < 5e3);
 }
+
+TEST_CASE("Parts that share a pressure swing as one: slopes at a common node add up, and all take sqrt(1/S)") {
+  Grid<2> grid = full_grid<2>(box_scene<2>(9, 0.25, WallKind::slip));
+  const int host = grid.layout.index({3, 3}), guest = grid.layout.index({4, 3}), alone = grid.layout.index({7, 7});
+  constexpr int centre = 4, left = 3;  // of the 3 x 3 nodes around a cell, x fastest
+  PartCell<2> one{host, host}, other{guest, host}, third{alone, alone};
+  one.slope[centre] = {0.1, 0.0};
+  other.slope[left] = {0.1, 0.05};  // the same node
+  third.slope[centre] = {0.05, 0.05};
+  grid.part_cells = {one, other, third};
+  for (const int cell : {host, guest}) grid.cell_volume[cell] = 0.001;
+  const double mass = 5, all = 0.002;
+  grid.sum[host][3] = mass;
+  const double swing = dt * dt * modulus / all * (0.2 * 0.2 + 0.05 * 0.05) / mass;
+  CHECK(swing > 10);
+  soften_light_parts(grid, dt);
+  for (std::size_t k : {0, 1}) {
+    CHECK(grid.part_cells[k].share == near(std::sqrt(1 / swing), 1e-13));
+    CHECK(grid.cell_pressure[grid.part_cells[k].flat] == near(1e4 * std::sqrt(1 / swing), 1e-13));
+  }
+  CHECK(grid.part_cells[2].share == 1);
+  CHECK(grid.cell_pressure[alone] == 1e4);
+}

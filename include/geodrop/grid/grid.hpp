@@ -205,6 +205,7 @@ struct PartCell {
   int host = -1;       ///< cell whose pressure and rate it shares, perhaps itself; -1: particles act by themselves
   Slope<Dim> slope{};  ///< over the part
   SplineVolumes<Dim> elsewhere{};  ///< over the rest of the cell
+  double share = 1;                ///< of its pressure and rate that acts: less where it is too stiff for the step [-]
 };
 
 /// What a field of the grid takes part in, and what needs it.
