@@ -304,9 +304,10 @@ void for_each_interface_force(const Grid<Dim>& grid, const ForceAtNode<Dim>& f) 
 }
 
 template <int Dim>
-void add_interface_force(Grids<Dim>& grids) {
+void add_interface_force(Grids<Dim>& grids, double dt) {
   for (Grid<Dim>& grid : grids) {
     if (!grid.pore_share.empty()) continue;  // shared with the grains, see pores/pores
+    if (grid.largest_modulus > 0) soften_light_parts(grid, dt);
     for_each_interface_force(grid, [&](int node, const std::array<double, Dim>& force) {
       for (int a = 0; a < Dim; ++a) grid.force[node][a] += force[a];
     });
@@ -341,7 +342,7 @@ void update_interface_rates(Grids<Dim>& grids) {
   template void even_out_volumes(State<D>&, const Grids<D>&, double);            \
   template void fill_other_sides(const State<D>&, Grids<D>&);                    \
   template void for_each_interface_force(const Grid<D>&, const ForceAtNode<D>&); \
-  template void add_interface_force(Grids<D>&);                                  \
+  template void add_interface_force(Grids<D>&, double);                          \
   template void update_interface_rates(Grids<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -49,10 +49,10 @@ using ForceAtNode = std::type_identity_t<std::function<void(int, const std::arra
 template <int Dim>
 void for_each_interface_force(const Grid<Dim>& grid, const ForceAtNode<Dim>& f);
 
-/// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N]. Water in
-/// pores shares its own with the grains, see pores/pores.
+/// Turns the force of whole cells, which grid/momentum adds, into that of their parts: to Grid::force [N]. Before,
+/// parts too stiff for a step of dt [s] are softened. Water in pores shares its own with the grains, see pores/pores.
 template <int Dim>
-void add_interface_force(Grids<Dim>& grids);
+void add_interface_force(Grids<Dim>& grids, double dt);
 
 /// Volume rates of the parts of cut cells.
 template <int Dim>

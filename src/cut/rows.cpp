@@ -51,8 +51,9 @@ Row<2> model_drag_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> interface_force_row(const Scene& scene) {
-  return {"interface_force", Data::cut_cells | Data::cell_pressure, Data::nodal_force, has_sharp_interface(scene),
-          [](const State<Dim>&, Grids<Dim>& f, const StepContext&) { add_interface_force(f); }};
+  return {"interface_force", Data::cut_cells | Data::cell_volume | Data::nodal_sums,
+          Data::cut_cells | Data::cell_pressure | Data::nodal_force, has_sharp_interface(scene),
+          [](const State<Dim>&, Grids<Dim>& f, const StepContext& step) { add_interface_force(f, step.dt); }};
 }
 
 template <int Dim>

@@ -15,8 +15,8 @@ namespace {
 /// Lengths are in cells: each piece of an outline over the width of its cell.
 constexpr double between_knots = 2, least_between_knots = 1;
 
-/// Angle by which an outline turns at a node where a knot is to be [rad].
-constexpr double corner = 0.6;
+/// Angle by which an outline turns at a corner [rad].
+constexpr double least_turn = 0.6;
 
 /// Angle by which an outline turns at the start of a segment [rad].
 double turn_at(const Membrane<2>& membrane, std::size_t segment) {
@@ -27,12 +27,16 @@ double turn_at(const Membrane<2>& membrane, std::size_t segment) {
   return std::abs(std::atan2(ax * by - ay * bx, ax * bx + ay * by));
 }
 
+struct Corner {
+  double place, turn;
+};
+
 /// Stretches that follow each other, measured along the outline.
 struct Run {
   std::vector<std::size_t> contacts;
   bool closed = false;          ///< the first follows the last
   std::vector<double> ends{0};  ///< of each stretch, after the start of the first
-  std::vector<double> corners;
+  std::vector<Corner> corners;
   double first_node = 0;  ///< where the outline's first node is, if the run is closed
 
   double length() const { return ends.back(); }
@@ -45,7 +49,7 @@ void append(const Grid<2>& grid, const std::vector<Contact<2>>& contacts, std::s
     if (piece.from == 0) {
       const auto segment = static_cast<std::size_t>(piece.edge);
       if (segment == 0) run.first_node = at;
-      if (turn_at(membrane, segment) > corner) run.corners.push_back(at);
+      if (const double turn = turn_at(membrane, segment); turn > least_turn) run.corners.push_back({at, turn});
     }
     at += length_of(membrane, piece) / least_width(grid.layout, flat_of(grid.layout, grid.outline, piece.cell));
   });
@@ -65,11 +69,38 @@ std::vector<double> divide(const std::vector<double>& places, int multiple) {
   return knots;
 }
 
-/// Corners that are not close to the one before, to `from` or to `to`.
-void add_corners(const Run& run, double from, double to, std::vector<double>& places) {
-  for (const double place : run.corners)
-    if (place - (places.empty() ? from : places.back()) > least_between_knots && to - place > least_between_knots)
-      places.push_back(place);
+/// Corners within a cell are one, at their mean place: a round tip that the grid does not resolve has several.
+std::vector<double> places_of(const std::vector<Corner>& corners) {
+  std::vector<double> places;
+  for (std::size_t k = 0, next; k < corners.size(); k = next) {
+    double turn = 0, moment = 0;
+    for (next = k; next < corners.size() && corners[next].place - corners[k].place <= least_between_knots; ++next) {
+      turn += corners[next].turn;
+      moment += corners[next].turn * corners[next].place;
+    }
+    places.push_back(moment / turn);
+  }
+  return places;
+}
+
+/// Adds places up to `to` that are not close to the last one or to it.
+void add_apart(const std::vector<double>& more, double to, std::vector<double>& places) {
+  for (const double place : more)
+    if (place - places.back() > least_between_knots && to - place > least_between_knots) places.push_back(place);
+  places.push_back(to);
+}
+
+/// The same corners once round, from one on that has none close before it.
+std::vector<Corner> from_gap(std::vector<Corner> corners, double length) {
+  const auto is_close = [&](const Corner& a, const Corner& b) { return b.place - a.place <= least_between_knots; };
+  Corner before = corners.back();
+  before.place -= length;
+  std::size_t start = 0;
+  while (start < corners.size() && is_close(start == 0 ? before : corners[start - 1], corners[start])) ++start;
+  start %= corners.size();
+  for (std::size_t k = 0; k < start; ++k) corners[k].place += length;
+  std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(start), corners.end());
+  return corners;
 }
 
 /// Knots of a run that closes on itself, the last one on the first. One without corners starts at its first node and
@@ -77,9 +108,9 @@ void add_corners(const Run& run, double from, double to, std::vector<double>& pl
 std::vector<double> knots_of_closed(const Run& run) {
   constexpr int of_symmetric = 4;
   if (run.corners.empty()) return divide({run.first_node, run.first_node + run.length()}, of_symmetric);
-  std::vector<double> places{run.corners.front()};
-  add_corners(run, places.front(), places.front() + run.length(), places);
-  places.push_back(places.front() + run.length());
+  const std::vector<double> corners = places_of(from_gap(run.corners, run.length()));
+  std::vector<double> places{corners.front()};
+  add_apart(corners, places.front() + run.length(), places);
   return divide(places, 1);
 }
 
@@ -87,8 +118,7 @@ std::vector<double> knots_of_closed(const Run& run) {
 std::vector<double> knots_of_open(const Run& run) {
   if (run.length() < 0.75 * between_knots) return {0};
   std::vector<double> places{0};
-  add_corners(run, 0, run.length(), places);
-  places.push_back(run.length());
+  add_apart(places_of(run.corners), run.length(), places);
   return divide(places, 1);
 }
 

@@ -90,7 +90,7 @@ void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed<Dim>& pressed, std
       const std::array<double, Dim>& g = part->slope[n++];
       for_shares_of_impulse<Dim>(grid, node, [&](int to, double share) {
         carried.push_back({to, g});
-        for (double& component : carried.back().g) component *= share;
+        for (double& component : carried.back().g) component *= part->share * share;
       });
     });
   }

@@ -23,6 +23,9 @@ namespace {
 /// them, so that 1 keeps them below 4. With 1/2 and 2 dam breaks ended alike.
 constexpr double most_swing = 1;
 
+/// What acts of the pressure and the rate of one with a larger S.
+double share_at(double swing) { return std::sqrt(most_swing / swing); }
+
 /// Masses that count as none in S: of a row of nodes around a row of cells.
 template <int Dim>
 WideRow<Dim> light_row(const Grid<Dim>& grid, int count, const std::array<int, Dim>& cell, int y, int z) {
@@ -106,9 +109,36 @@ CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::
 
 namespace {
 
-/// S of the parts of cells that share a pressure.
 template <int Dim>
-double swing_of_parts(const Grid<Dim>& grid, auto first, auto last, double dt) {
+double size_squared(const std::array<double, Dim>& slope) {
+  double sum = 0;
+  for (int a = 0; a < Dim; ++a) sum += square(slope[a]);
+  return sum;
+}
+
+/// 1 / mass that the force of a part's pressure moves at a node [1/kg].
+template <int Dim>
+double lightness_at(const Grid<Dim>& grid, int node) {
+  return lightness(grid, node, 1 / std::max(grid.sum[node][3], light_mass<Dim>(grid, stored_cell(grid.layout, node))));
+}
+
+/// sum |slope|^2 / mass of parts that share a pressure, were no node moved by two of them, times their number: no less
+/// than what is true, and found without a list of nodes.
+template <int Dim>
+double most_moved(const Grid<Dim>& grid, auto first, auto last) {
+  double sum = 0;
+  for (auto part = first; part != last; ++part) {
+    std::size_t n = 0;
+    for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
+      if (const double size = size_squared<Dim>(part->slope[n++]); size > 0) sum += size * lightness_at(grid, node);
+    });
+  }
+  return static_cast<double>(last - first) * sum;
+}
+
+/// sum |slope|^2 / mass of parts that share a pressure.
+template <int Dim>
+double moved_by_parts(const Grid<Dim>& grid, auto first, auto last) {
   struct Moved {
     int node;
     std::array<double, Dim> slope;
@@ -126,14 +156,9 @@ double swing_of_parts(const Grid<Dim>& grid, auto first, auto last, double dt) {
     std::array<double, Dim> slope{};
     for (next = k; next < moved.size() && moved[next].node == moved[k].node; ++next)
       for (int a = 0; a < Dim; ++a) slope[a] += moved[next].slope[a];
-    const double light = light_mass<Dim>(grid, stored_cell(grid.layout, moved[k].node));
-    const double inverse = lightness(grid, moved[k].node, 1 / std::max(grid.sum[moved[k].node][3], light));
-    for (int a = 0; a < Dim; ++a) sum += square(slope[a]) * inverse;
+    sum += size_squared<Dim>(slope) * lightness_at(grid, moved[k].node);
   }
-  const double volume = sum_of_group(grid.cell_volume, first, last);
-  const double modulus =
-      grid.cell_modulus.empty() ? grid.largest_modulus : sum_of_group(grid.cell_modulus, first, last) / volume;
-  return square(dt) * modulus / volume * sum;
+  return sum;
 }
 
 }  // namespace
@@ -142,10 +167,15 @@ template <int Dim>
 void soften_light_parts(Grid<Dim>& grid, double dt) {
   for_each_group(grid.part_cells, [&](auto first, auto last) {
     if (!carries_pressure(grid, first->host)) return;
-    const double swing = swing_of_parts(grid, first, last, dt);
+    const double volume = sum_of_group(grid.cell_volume, first, last);
+    const double modulus =
+        grid.cell_modulus.empty() ? grid.largest_modulus : sum_of_group(grid.cell_modulus, first, last) / volume;
+    const double stiffness = square(dt) * modulus / volume;
+    if (!(stiffness * most_moved(grid, first, last) > most_swing)) return;
+    const double swing = stiffness * moved_by_parts(grid, first, last);
     if (!(swing > most_swing)) return;
     for (auto part = first; part != last; ++part) {
-      part->share = std::sqrt(most_swing / swing);
+      part->share = share_at(swing);
       grid.cell_pressure[part->flat] *= part->share;
     }
   });
@@ -162,7 +192,7 @@ void soften_light_cells(Grid<Dim>& grid, double dt) {
     if (count == 0 || !may_swing<Dim>(grid, begin, count, cell, dt)) return;
     const CellRow<Dim> swing = cell_swing<Dim>(grid, begin, count, cell, dt);
     for (int k = 0; k < count; ++k)
-      if (acts(begin + k) && swing[k] > most_swing) share[begin + k] = std::sqrt(most_swing / swing[k]);
+      if (acts(begin + k) && swing[k] > most_swing) share[begin + k] = share_at(swing[k]);
   });
   for (const auto& part : grid.part_cells) share[part.flat] = 1;  // theirs has joined the nodal force
   for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>&) {

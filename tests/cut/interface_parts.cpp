@@ -261,7 +261,7 @@ TEST_CASE("The force of a part replaces that of its whole cell, pressure times t
   grid.part_cells = {part};
   grid.cell_pressure[part.flat] = 100;
   grid.force[box.flat(6, 6)] = Vec4{1, 2, 0, 0};
-  add_interface_force(box.grids);
+  add_interface_force(box.grids, 1e-6);
   CHECK(grid.force[box.flat(6, 6)][0] == near(1 + 100 * (0.7 - 0.5 / 6), 1e-13));
   CHECK(grid.force[box.flat(6, 6)][1] == near(2 + 100 * (-0.2 - 0.5 / 6), 1e-13));
   CHECK(grid.force[box.flat(4, 4)][0] == near(100 * 0.5 / 6, 1e-13));

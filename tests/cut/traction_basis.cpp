@@ -112,6 +112,18 @@ TEST_CASE("A smooth outline has a multiple of four knots from its first node on,
   }
 }
 
+TEST_CASE("Corners within a cell are one knot, at their mean place by the angles that they turn by") {
+  // A wedge with a blunt tip 0.4 m wide on the left; on the right a square corner up and one down.
+  Bag bag;
+  bag.box.draw({{2.0, 5.8}, {8.2, 2.2}, {8.2, 9.8}, {2.0, 6.2}});
+  cut_interface_cells(bag.box.state, bag.box.grids);
+  bag.read();
+  const Eigen::MatrixXd basis = bag.basis();
+  CHECK(missing(basis, bag.means([](double, double y) { return std::abs(y - 6); })) <
+        0.02);  // the knot is in the middle
+  CHECK(missing(basis, bag.means([](double, double y) { return y - 6; })) < 0.02);
+}
+
 TEST_CASE("Knots end where the bed begins, where an outline is dry and where a row is missing") {
   Bag bag;
   const std::size_t n = bag.contacts.size();

@@ -33,12 +33,12 @@ TEST_CASE("A cylinder that water sticks to sinks between walls as creeping flow 
 
 TEST_CASE("With a drag coefficient an ellipse comes to its terminal velocity") {
   const SceneRun run("cases/ellipse_release.toml",
-                     {"grid.spacing=0.5", "materials.water.sound_speed=60.0", "time.end=2.5",
+                     {"grid.spacing=0.25", "materials.water.sound_speed=60.0", "time.end=2.5",
                       "output.history_interval=0.05", "membranes.geotextile.drag_coefficient=20.0"});
   REQUIRE(run.outcome().code == 0);
   const double weight = 631 * 9.81 * 5.30607, width = 2 * 0.507698;
-  const double terminal = std::sqrt(2 * weight / (1000 * 20 * width));  // 1.80 m/s; 3.5 and growing without drag
-  CHECK(-last_of(run, "ellipse.velocity_y_m_s") == near(terminal, 0.002));
+  const double terminal = std::sqrt(2 * weight / (1000 * 20 * width));     // 1.80 m/s; 3.5 and growing without drag
+  CHECK(-last_of(run, "ellipse.velocity_y_m_s") == near(terminal, 0.03));  // 2.5 %; at h = 0.5 m 7 %: water drags
 }
 
 TEST_CASE("The wall law slows a cylinder down by the friction of potential flow around it") {
