@@ -14,11 +14,9 @@ Row<Dim> pore_space_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> pore_pressure_row(const Scene& scene) {
-  return {"pore_pressure",
-          Data::pore_space | Data::cell_volume | Data::cell_flags | Data::nodal_sums | Data::cut_cells,
+  return {"pore_pressure", Data::pore_space | Data::cell_volume | Data::cell_flags | Data::nodal_sums | Data::cut_cells,
           Data::pore_space | Data::cut_cells | Data::cell_pressure | Data::volume_rate | Data::nodal_force,
-          any_pores(scene),
-          [soils = pore_soils(scene)](const State<Dim>&, Grids<Dim>& f, const StepContext& step) {
+          any_pores(scene), [soils = pore_soils(scene)](const State<Dim>&, Grids<Dim>& f, const StepContext& step) {
             share_pore_pressure(soils, step.dt, f);
           }};
 }
