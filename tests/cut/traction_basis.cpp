@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cut/cut_cells.hpp"
@@ -113,16 +114,21 @@ TEST_CASE("A smooth outline has a multiple of four knots from its first node on,
 }
 
 TEST_CASE("Corners within a cell are one knot, at their mean place by the angles that they turn by") {
-  // A wedge with a blunt tip 0.8 m wide on the left, between cells; square corners on the right.
-  Bag bag;
-  bag.box.draw({{2.0, 5.6}, {8.2, 2.2}, {8.2, 9.8}, {2.0, 6.4}});
-  cut_interface_cells(bag.box.state, bag.box.grids);
-  bag.read();
-  const Eigen::MatrixXd basis = bag.basis();
-  const double up = missing(basis, bag.means([](double, double y) { return std::max(y, 6.0) - 6; })),
-               down = missing(basis, bag.means([](double, double y) { return 6 - std::min(y, 6.0); }));
-  CHECK(up < 0.05);
-  CHECK(up == near(down, 0.05));  // the knot is in the middle of the tip
+  // A wedge with a blunt tip 0.8 m wide on the left, between cells; square corners on the right; from any node on.
+  std::vector<std::array<double, 2>> points{{2.0, 5.6}, {8.2, 2.2}, {8.2, 9.8}, {2.0, 6.4}};
+  for (std::size_t first = 0; first < points.size(); ++first) {
+    Bag bag;
+    bag.box.draw(points);
+    cut_interface_cells(bag.box.state, bag.box.grids);
+    bag.read();
+    const Eigen::MatrixXd basis = bag.basis();
+    for (Eigen::Index r = 0; r < basis.rows(); ++r) CHECK(basis.row(r).sum() == near(1, 1e-14));
+    const double up = missing(basis, bag.means([](double, double y) { return std::max(y, 6.0) - 6; })),
+                 down = missing(basis, bag.means([](double, double y) { return 6 - std::min(y, 6.0); }));
+    CHECK(up < 0.05);
+    CHECK(up == near(down, 0.05));  // the knot is in the middle of the tip
+    std::rotate(points.begin(), points.begin() + 1, points.end());
+  }
 }
 
 TEST_CASE("Knots end where the bed begins, where an outline is dry and where a row is missing") {
