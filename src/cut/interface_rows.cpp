@@ -107,16 +107,7 @@ std::vector<NodeVector<3>> normals_over(const GridLayout<3>& layout, const Clipp
       out.push_back({node_around(layout, flat, n), {h2 * x, h2 * y, h2 * z}});
     }
   }
-  if (stretch.count == 1) return out;
-  // Flanks of a patch have nodes in common.
-  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-  std::size_t kept = 0;
-  for (std::size_t k = 1; k < out.size(); ++k)
-    if (out[k].node == out[kept].node)
-      for (int a = 0; a < 3; ++a) out[kept].value[a] += out[k].value[a];
-    else
-      out[++kept] = out[k];
-  out.resize(kept + 1);
+  if (stretch.count > 1) add_up_by_node(out);  // flanks of a patch have nodes in common
   return out;
 }
 

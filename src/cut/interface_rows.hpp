@@ -8,16 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "grid/node_vectors.hpp"
 #include "sparse_product.hpp"
 
 namespace geodrop {
-
-/// A vector at a node.
-template <int Dim>
-struct NodeVector {
-  int node;
-  std::array<double, Dim> value;
-};
 
 /// A part of an outline with one multiplier: consecutive pieces, [first, last) in CutCells::pieces, round its end; in
 /// space consecutive flanks, [first, last) in ClippedSurface::flanks.

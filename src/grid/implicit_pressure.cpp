@@ -12,6 +12,7 @@
 #include "cell_pressure.hpp"
 #include "momentum.hpp"
 #include "neighbourhood.hpp"
+#include "node_vectors.hpp"
 #include "part_groups.hpp"
 
 namespace geodrop {
@@ -83,24 +84,19 @@ void add_slopes_of_cell(const Grid<Dim>& grid, int flat, std::vector<SlopeAt<Dim
 /// With what nodes of small mass hand on, as the volume rates of parts see it (carried_velocity).
 template <int Dim>
 void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed<Dim>& pressed, std::vector<SlopeAt<Dim>>& slopes) {
-  std::vector<SlopeAt<Dim>> carried;
+  std::vector<NodeVector<Dim>> carried;
   for (auto part = pressed.first; part != pressed.last; ++part) {
     std::size_t n = 0;
     for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
       const std::array<double, Dim>& g = part->slope[n++];
       for_shares_of_impulse<Dim>(grid, node, [&](int to, double share) {
         carried.push_back({to, g});
-        for (double& component : carried.back().g) component *= part->share * share;
+        for (double& component : carried.back().value) component *= part->share * share;
       });
     });
   }
-  std::stable_sort(carried.begin(), carried.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-  const std::size_t before = slopes.size();
-  for (const SlopeAt<Dim>& entry : carried)
-    if (slopes.size() == before || slopes.back().at != entry.at)
-      slopes.push_back(entry);
-    else
-      for (int a = 0; a < Dim; ++a) slopes.back().g[a] += entry.g[a];
+  add_up_by_node(carried);
+  for (const auto& [node, g] : carried) slopes.push_back({node, g});
 }
 
 /// Shorter products are not worth waking threads for: one of 2000 rows takes 15 us.

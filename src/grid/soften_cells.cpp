@@ -13,6 +13,7 @@
 
 #include "momentum.hpp"
 #include "neighbourhood.hpp"
+#include "node_vectors.hpp"
 #include "part_groups.hpp"
 #include "seams.hpp"
 
@@ -139,25 +140,16 @@ double most_moved(const Grid<Dim>& grid, auto first, auto last) {
 /// sum |slope|^2 / mass of parts that share a pressure.
 template <int Dim>
 double moved_by_parts(const Grid<Dim>& grid, auto first, auto last) {
-  struct Moved {
-    int node;
-    std::array<double, Dim> slope;
-  };
-  std::vector<Moved> moved;
+  std::vector<NodeVector<Dim>> moved;
   for (auto part = first; part != last; ++part) {
     std::size_t n = 0;
     for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
       moved.push_back({node, part->slope[n++]});
     });
   }
-  std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.node < b.node; });
+  add_up_by_node(moved);
   double sum = 0;
-  for (std::size_t k = 0, next; k < moved.size(); k = next) {
-    std::array<double, Dim> slope{};
-    for (next = k; next < moved.size() && moved[next].node == moved[k].node; ++next)
-      for (int a = 0; a < Dim; ++a) slope[a] += moved[next].slope[a];
-    sum += size_squared<Dim>(slope) * lightness_at(grid, moved[k].node);
-  }
+  for (const auto& [node, slope] : moved) sum += size_squared<Dim>(slope) * lightness_at(grid, node);
   return sum;
 }
 
