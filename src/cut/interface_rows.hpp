@@ -10,54 +10,9 @@
 
 #include "grid/node_vectors.hpp"
 #include "sparse_product.hpp"
+#include "stretches.hpp"
 
 namespace geodrop {
-
-/// A part of an outline with one multiplier: consecutive pieces, [first, last) in CutCells::pieces, round its end; in
-/// space consecutive flanks, [first, last) in ClippedSurface::flanks.
-struct Stretch {
-  std::size_t first = 0, count = 0;
-  double size = 0;  ///< length or area [m, m2]
-};
-
-/// The stretches of an outline that has something beside it. Two flanks in one cell are two stretches.
-std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells);
-std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>& membrane, const ClippedSurface& cells);
-
-/// f(piece) for the pieces of a stretch.
-template <class F>
-void for_each_piece(const CutCells& cells, const Stretch& stretch, F&& f) {
-  for (std::size_t k = 0; k < stretch.count; ++k) f(cells.pieces[(stretch.first + k) % cells.pieces.size()]);
-}
-template <class F>
-void for_each_piece(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
-  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
-    const ClippedSurface::Flank& flank = cells.flanks[k];
-    for (std::uint32_t p = 0; p < flank.pieces; ++p) f(cells.pieces[flank.first_piece + p]);
-  }
-}
-
-/// f(segment or triangle, share of it) for the pieces of a stretch.
-template <class F>
-void for_each_share(const CutCells& cells, const Stretch& stretch, F&& f) {
-  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) { f(piece.edge, piece.to - piece.from); });
-}
-template <class F>
-void for_each_share(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
-  for_each_piece(cells, stretch, [&](const ClippedCells::Piece& piece) {
-    f(piece.triangle, piece.share[0] + piece.share[1] + piece.share[2]);
-  });
-}
-
-/// Length of a piece [m].
-double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece);
-
-/// int N n dl over a stretch, n the outward normal.
-std::vector<NodeVector<2>> normals_over(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
-                                        const Stretch& stretch);
-/// int N n dA over a stretch.
-std::vector<NodeVector<3>> normals_over(const GridLayout<3>& layout, const ClippedSurface& cells,
-                                        const Stretch& stretch);
 
 /// The nodes that the rows of E reach, of all fields: as many columns each as there are axes.
 template <int Dim>
