@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
 #include "near_triangles.hpp"
+#include "right_side.hpp"
 
 namespace geodrop {
 namespace {
@@ -27,20 +29,22 @@ class NearEdges {
     for_each_near([&](int cell, int edge) { edges_[at[cell]++] = edge; });
   }
 
-  /// Where a point is to go that should be inside, or else outside; itself if it is there.
-  Vec<2> on_side(const Vec<2>& x, bool inside) const {
+  /// Where a point is to go that should be inside, or else outside; nothing if it is there.
+  std::optional<RightSide<2>> on_side(const Vec<2>& x, bool inside) const {
     constexpr double distance = 1e-3;     // from the membrane [h]
     constexpr double least_share = 1e-6;  // of it
     const int cell = local_cell(layout_, cells_, x[0], x[1]);
-    if (cell < 0) return x;
+    if (cell < 0) return {};
     const Nearest nearest = nearest_to(x, cell);
-    if (nearest.edge < 0 || is_inside(x, nearest) == inside) return x;
+    if (nearest.edge < 0 || is_inside(x, nearest) == inside) return {};
     const Vec<2> way = (inside ? -1 : 1) * distance * layout_.finest * normal_at(nearest);
     Vec<2> to = nearest.point + way;
     // Near the edge of a fold narrower than a right angle the whole way leads through the other flank.
     for (double share = 0.5; share > least_share && is_inside(to, nearest_to(to, cell)) != inside; share /= 2)
       to = nearest.point + share * way;
-    return to;
+    const auto from = static_cast<std::uint32_t>(nearest.edge);
+    const auto end = static_cast<std::uint32_t>(end_of_edge(from, membrane_.nodes()));
+    return RightSide<2>{to, {from, end}, {1 - nearest.share, nearest.share}};
   }
 
  private:
@@ -103,25 +107,65 @@ class NearEdges {
   std::vector<int> begin_, edges_;  ///< of each cell: edges_[begin_[cell]] to edges_[begin_[cell + 1] - 1]
 };
 
-/// Particles of a body in cells of the box that it shares.
-template <int Dim, class Near>
-void keep_body(const Grid<Dim>& grid, const BoxOfCells<Dim>& box, const Near& surface, bool inside, Body<Dim>& body) {
-  const auto n = static_cast<std::ptrdiff_t>(body.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t p = 0; p < n; ++p) {
-    if (!box.may_hold(body.x, p) || grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
-    const Vec<Dim> to = surface.on_side(vector_at(body.x, p), inside);
-    for (int a = 0; a < Dim; ++a) body.x[a][p] = to[a];
+/// Momentum that a membrane takes from a particle.
+template <int Dim>
+struct Catch {
+  RightSide<Dim> at;
+  Vec<Dim> momentum;
+};
+
+/// Puts a particle on its side of a membrane, and takes what has moved it through: no more than what leads back to
+/// the membrane in a step, and no more than its velocity towards the membrane, so that it does not bounce.
+template <int Dim>
+Catch<Dim> put_back(const Membrane<Dim>& membrane, const RightSide<Dim>& side, double dt, std::size_t p,
+                    Body<Dim>& body) {
+  Vec<Dim> behind = vector_at(body.x, p), towards = vector_at(body.v, p);
+  for (int k = 0; k < Dim; ++k) {
+    behind -= side.share[k] * vector_at(membrane.x, side.nodes[k]);
+    towards -= side.share[k] * vector_at(membrane.v, side.nodes[k]);
   }
+  const double depth = behind.norm(), approach = depth > 0 ? towards.dot(behind) / depth : 0.0;
+  const Vec<Dim> change = approach > 0 ? Vec<Dim>(-std::min(approach / depth, 1 / dt) * behind) : Vec<Dim>::Zero();
+  for (int a = 0; a < Dim; ++a) {
+    body.x[a][p] = side.to[a];
+    body.v[a][p] += change[a];
+  }
+  return {side, -body.mass[p] * change};
+}
+
+/// Particles of a body in cells of the box that it shares. What the membrane takes from them is added up in their
+/// order.
+template <int Dim, class Near>
+void keep_body(const Grid<Dim>& grid, const BoxOfCells<Dim>& box, const Near& surface, double dt, Body<Dim>& body,
+               Membrane<Dim>& membrane) {
+  constexpr std::size_t particles_of_a_part = 4096;
+  const std::size_t n = body.size();
+  const bool inside = body.field != 0;
+  std::vector<std::vector<Catch<Dim>>> caught((n + particles_of_a_part - 1) / particles_of_a_part);
+  const auto parts = static_cast<std::ptrdiff_t>(caught.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t part = 0; part < parts; ++part) {
+    const std::size_t first = part * particles_of_a_part;
+    for (std::size_t p = first; p < std::min(first + particles_of_a_part, n); ++p) {
+      if (!box.may_hold(body.x, p) || grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
+      const auto side = surface.on_side(vector_at(body.x, p), inside);
+      if (side) caught[part].push_back(put_back(membrane, *side, dt, p, body));
+    }
+  }
+  for (const std::vector<Catch<Dim>>& part : caught)
+    for (const Catch<Dim>& one : part)
+      for (int k = 0; k < Dim; ++k)
+        for (int a = 0; a < Dim; ++a) membrane.caught[a][one.at.nodes[k]] += one.at.share[k] * one.momentum[a];
 }
 
 }  // namespace
 
 template <int Dim>
-void keep_sides(State<Dim>& state, const Grids<Dim>& grids) {
+void keep_sides(State<Dim>& state, const Grids<Dim>& grids, double dt) {
   using Near = std::conditional_t<Dim == 2, NearEdges, NearTriangles>;
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
-  for (const Membrane<Dim>& membrane : state.membranes) {
+  for (Membrane<Dim>& membrane : state.membranes) {
+    for (Array<double>& component : membrane.caught) std::fill(component.begin(), component.end(), 0.0);
     if (!acts_sharply(membrane)) continue;
     const Outline<Dim>& outline = grids[membrane.field].outline;
     const Near surface(grids.front().layout, membrane, outline);
@@ -129,11 +173,11 @@ void keep_sides(State<Dim>& state, const Grids<Dim>& grids) {
     const int water = grids[membrane.field].pore_water;
     for (Body<Dim>& body : state.bodies)
       if (body.field != waiting && (body.field == membrane.field || body.field == 0 || body.field == water))
-        keep_body(grids[body.field], box, surface, body.field != 0, body);
+        keep_body(grids[body.field], box, surface, dt, body, membrane);
   }
 }
 
-template void keep_sides(State<2>&, const Grids<2>&);
-template void keep_sides(State<3>&, const Grids<3>&);
+template void keep_sides(State<2>&, const Grids<2>&, double);
+template void keep_sides(State<3>&, const Grids<3>&, double);
 
 }  // namespace geodrop

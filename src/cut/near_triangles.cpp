@@ -65,15 +65,25 @@ void NearTriangles::look_at(const Plate& plate, const Vec<3>& x, Nearest& neares
   const double distance = (x - point).norm();
   if (distance > farthest) return;
   if (distance >= (1 - alike) * nearest.distance && std::abs(height) <= std::abs(nearest.height)) return;
-  nearest = {distance, height, point, plate.normal};
+  nearest = {distance, height, point, plate.normal, plate.triangle};
 }
 
-Vec<3> NearTriangles::on_side(const Vec<3>& x, bool inside) const {
+/// Shares of the corners in a point of the triangle, by the areas opposite to them.
+std::array<double, 3> NearTriangles::shares_of(std::uint32_t triangle, const Vec<3>& point) const {
+  const auto [a, b, c] = corners_of(triangle);
+  const Vec<3> of_a = (b - point).cross(c - point), of_b = (c - point).cross(a - point);
+  const double whole = (b - a).cross(c - a).norm();
+  if (!(whole > 0)) return {1, 0, 0};  // a line or a point
+  const double at_a = of_a.norm() / whole, at_b = of_b.norm() / whole;
+  return {at_a, at_b, 1 - at_a - at_b};
+}
+
+std::optional<RightSide<3>> NearTriangles::on_side(const Vec<3>& x, bool inside) const {
   constexpr double distance = 1e-3;  // from the membrane [h]
   const int own = local_cell(layout_, cells_, x);
-  if (own < 0) return x;
+  if (own < 0) return {};
   const bool cut = parts_[own][0].second > 0;
-  if (!cut && (cells_.inside[own] > 0.5) == inside) return x;  // a whole cell of its side
+  if (!cut && (cells_.inside[own] > 0.5) == inside) return {};  // a whole cell of its side
   Nearest nearest;
   std::array<double, 3> low;  // of x over the lower side of its cell [m]
   for (int a = 0; a < 3; ++a) low[a] = x[a] - layout_.node(a, layout_.base(a, x[a])) + 0.5 * layout_.h;
@@ -95,8 +105,12 @@ Vec<3> NearTriangles::on_side(const Vec<3>& x, bool inside) const {
     for (const auto& [first, last] : parts_[cell])
       for (std::uint32_t k = first; k < last; ++k) look_at(plates_[k], x, nearest);
   }
-  if (!std::isfinite(nearest.distance) || (nearest.height < 0) == inside) return x;
-  return nearest.point + (inside ? -1 : 1) * distance * layout_.finest * nearest.normal;
+  if (!std::isfinite(nearest.distance) || (nearest.height < 0) == inside) return {};
+  const auto& corner = membrane_.triangles.corner;
+  const std::uint32_t t = nearest.triangle;
+  return RightSide<3>{nearest.point + (inside ? -1 : 1) * distance * layout_.finest * nearest.normal,
+                      {corner[0][t], corner[1][t], corner[2][t]},
+                      shares_of(t, nearest.point)};
 }
 
 }  // namespace geodrop

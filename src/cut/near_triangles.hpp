@@ -7,8 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "right_side.hpp"
 
 namespace geodrop {
 
@@ -20,8 +23,8 @@ class NearTriangles {
  public:
   NearTriangles(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedSurface& cells);
 
-  /// Where a point is to go that should be inside, or else outside; itself if it is there.
-  Vec<3> on_side(const Vec<3>& x, bool inside) const;
+  /// Where a point is to go that should be inside, or else outside; nothing if it is there.
+  std::optional<RightSide<3>> on_side(const Vec<3>& x, bool inside) const;
 
  private:
   /// What tells most triangles that are farther off than another one from the rest.
@@ -34,9 +37,11 @@ class NearTriangles {
     double distance = std::numeric_limits<double>::infinity();
     double height = 0;  ///< over the plane of the triangle, signed
     Vec<3> point = Vec<3>::Zero(), normal = Vec<3>::Zero();
+    std::uint32_t triangle = 0;
   };
 
   std::array<Vec<3>, 3> corners_of(std::uint32_t triangle) const;
+  std::array<double, 3> shares_of(std::uint32_t triangle, const Vec<3>& point) const;
   void look_at(const Plate& plate, const Vec<3>& x, Nearest& nearest) const;
 
   const GridLayout<3>& layout_;

@@ -100,7 +100,7 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
     case Data::membrane_cloth:
       return hash.add(membrane.rest_length, membrane.mass, membrane.contents_pressure);
     case Data::membrane_load:
-      return hash.add(membrane.load);
+      return hash.add(membrane.load, membrane.caught);
     case Data::water_traction:
       if constexpr (Dim == 3) hash.add(membrane.triangles.water_shear);
       return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear, membrane.pore_pressure,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/measure/measure.hpp>
+#include <numeric>
 
 #include "base/fixed_order_sum.hpp"
 #include "materials/neo_hookean.hpp"
@@ -68,12 +69,14 @@ Totals<Dim> body_totals(const Body<Dim>& body, const Point& gravity) {
   return std::visit(sum, body.material);
 }
 
-/// J e^2 / 2 per rest length where it is stretched, e averaged over neighbours as in the force.
+/// J e^2 / 2 per rest length where it is stretched; momentum with what goes to its nodes at the next step.
 template <int Dim>
 Totals<Dim> membrane_totals(const Membrane<Dim>& membrane, const Point& gravity) {
   Totals<Dim> sums;
   for (std::size_t i = 0; i < membrane.nodes(); ++i)
     add_mass<Dim>(sums, membrane.mass[i], membrane.x, membrane.v, gravity, i);
+  for (int a = 0; a < Dim; ++a)
+    sums.momentum[a] += std::accumulate(membrane.caught[a].begin(), membrane.caught[a].end(), 0.0);
   if constexpr (Dim == 3) sums.membrane = cloth_energy(membrane);
   for (std::size_t s = 0; s < membrane.segments(); ++s) {
     const double stretch = std::max(0.0, membrane.strain[s]);

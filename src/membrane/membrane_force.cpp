@@ -56,6 +56,7 @@ void membrane_to_grid(const Membrane<Dim>& membrane, Grid<Dim>& grid, double dt)
     for (int a = 0; a < Dim; ++a) {
       f[a] = force[a][k];
       if (!membrane.load[a].empty()) f[a] += membrane.load[a][k];
+      if (!membrane.caught[a].empty()) f[a] += membrane.caught[a][k] / dt;
     }
     if (!separate) momentum += dt * f;
     const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);

@@ -131,6 +131,7 @@ void set_surroundings(const Scene& scene, const MembraneSpec& spec, std::size_t 
   membrane.roughness = spec.roughness;
   if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
   membrane.water_pressure.assign(parts, 0.0);
+  for (auto& component : membrane.caught) component.assign(membrane.nodes(), 0.0);
   if constexpr (Dim == 3)
     if (rubs_sharply(spec))
       for (Array<double>& component : membrane.triangles.water_shear) component.assign(parts, 0.0);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "support/near.hpp"
 #include "support/sharp_box.hpp"
@@ -15,21 +16,29 @@ namespace {
 
 constexpr double off = 1e-3;  // of a cell, 1 m
 
-/// Where a particle of the water (field 0) or of the bag (field 1) ends up.
+constexpr double dt = 0.1;
+
+/// One particle of the water (field 0) or of the bag (field 1).
+struct OneParticle : SharpBox {
+  Body<2>& body;
+
+  OneParticle(int field, double x, double y, Sense sense = Sense::anticlockwise)
+      : SharpBox({}, sense), body(state.bodies[field]) {
+    const std::string name = body.name;
+    body = blank_body<2>(body.material, 1);
+    body.name = name;
+    body.field = field;
+    body.mass[0] = 7;
+    body.x = {Array<double>{x}, Array<double>{y}};
+  }
+};
+
+/// Where it ends up.
 Vec<2> kept(int field, double x, double y, Sense sense = Sense::anticlockwise, double h_finer = 1) {
-  SharpBox box({}, sense);
+  OneParticle box(field, x, y, sense);
   for (Grid<2>& grid : box.grids) grid.layout.finest *= h_finer;
-  Body<2>& body = box.state.bodies[field];
-  const std::string name = body.name;
-  body = blank_body<2>(body.material, 1);
-  body.name = name;
-  body.field = field;
-  body.x = {Array<double>{x}, Array<double>{y}};
-  body.v = {Array<double>{3}, Array<double>{4}};
-  keep_sides(box.state, box.grids);
-  CHECK(body.v[0][0] == 3);
-  CHECK(body.v[1][0] == 4);
-  return vector_at(body.x, 0);
+  keep_sides(box.state, box.grids, dt);
+  return vector_at(box.body.x, 0);
 }
 
 void check_at(const Vec<2>& x, double at_x, double at_y) {
@@ -88,7 +97,7 @@ TEST_CASE("Near the edge of a narrow fold the way out does not lead through its 
     Body<2>& water = box.state.bodies[0];
     water = blank_body<2>(water.material, 1);
     water.x = {Array<double>{apex_x + half / deep * s + 1e-6}, Array<double>{apex_y + s}};
-    keep_sides(box.state, box.grids);
+    keep_sides(box.state, box.grids, dt);
     CHECK(std::abs(water.x[0][0] - apex_x) < half / deep * (water.x[1][0] - apex_y));
     CHECK(water.x[1][0] == within(apex_y + s, 2 * off));
   }
@@ -104,6 +113,72 @@ TEST_CASE("A membrane that waits to be placed moves nobody") {
   Body<2>& water = box.state.bodies[0];
   water = blank_body<2>(water.material, 1);
   water.x = {Array<double>{2.9}, Array<double>{4}};
-  keep_sides(box.state, box.grids);
+  keep_sides(box.state, box.grids, dt);
   CHECK(water.x[0][0] == 2.9);
+}
+
+TEST_CASE("What has moved a particle through the membrane is taken from it and left to the nodes there") {
+  struct Example {
+    int field;
+    double x;            ///< 0.15 m behind the left side of the bag, at x = 2.75 m
+    double v, of_cloth;  ///< across it
+    double dt;           ///< [s]
+    double after;        ///< v then
+  };
+  const std::vector<Example> examples{
+      {0, 2.90, 3, 0, 0.1, 1.5},                             // all that leads back in a step
+      {0, 2.90, 3, 0, 0.01, 0},                              // not more than what leads to the membrane
+      {0, 2.90, 3, 1, 0.01, 1},                              // which moves, too
+      {0, 2.90, 3, 4, 0.01, 3},                              // and faster than the particle
+      {0, 2.90, -3, 0, 0.01, -3},                            // on its way back
+      {1, 2.60, -3, 0, 0.1, -1.5},                           // soil, outwards
+      {1, 2.60, -3, -2, 0.01, -2}, {0, 2.70, 3, 0, 0.1, 3},  // on its side
+  };
+  for (const Sense sense : {Sense::anticlockwise, Sense::clockwise})
+    for (const Example& example : examples) {
+      CAPTURE(example.x);
+      CAPTURE(example.v);
+      CAPTURE(example.of_cloth);
+      OneParticle box(example.field, example.x, 3.75, sense);
+      Membrane<2>& skin = box.skin();
+      std::fill(skin.v[0].begin(), skin.v[0].end(), example.of_cloth);
+      skin.caught[0].assign(skin.nodes(), 5.0);  // of the step before
+      box.body.v = {Array<double>{example.v}, Array<double>{4}};
+      keep_sides(box.state, box.grids, example.dt);
+      CHECK(box.body.v[0][0] == within(example.after, 1e-12));
+      CHECK(box.body.v[1][0] == 4);
+      const double given = box.body.mass[0] * (example.v - example.after);
+      CHECK(std::accumulate(skin.caught[0].begin(), skin.caught[0].end(), 0.0) == within(given, 1e-12));
+      CHECK(skin.caught[1] == Array<double>(skin.nodes(), 0.0));
+      for (std::size_t k = 0; k < skin.nodes(); ++k)  // nodes at y = 3.5 m and 4.5 m, the particle between them
+        if (skin.caught[0][k] != 0)
+          CHECK(skin.caught[0][k] == near((skin.x[1][k] == 3.5 ? 0.75 : 0.25) * given, 1e-12));
+    }
+}
+
+TEST_CASE("Momentum of particles and membrane stays as it is put back, for many particles on any number of threads") {
+  SharpBox box;
+  constexpr int many = 9000;  // three parts of a body
+  Body<2>& water = box.state.bodies[0];
+  water = blank_body<2>(water.material, many);
+  Random random(3);
+  for (int p = 0; p < many; ++p) {
+    water.mass[p] = random.uniform(1, 2);
+    for (int a = 0; a < 2; ++a) {
+      water.x[a][p] = random.uniform(2, 7);
+      water.v[a][p] = random.uniform(-5, 5);
+    }
+  }
+  const auto momentum = [&](int a) {
+    return std::inner_product(water.mass.begin(), water.mass.end(), water.v[a].begin(), 0.0);
+  };
+  const Vec<2> before(momentum(0), momentum(1));
+  keep_sides(box.state, box.grids, dt);
+  double taken = 0;
+  for (int a = 0; a < 2; ++a) {
+    const Array<double>& caught = box.skin().caught[a];
+    CHECK(momentum(a) + std::accumulate(caught.begin(), caught.end(), 0.0) == near(before[a], 1e-11));
+    for (const double part : caught) taken += std::abs(part);
+  }
+  CHECK(taken > 100);
 }

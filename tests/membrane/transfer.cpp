@@ -66,6 +66,22 @@ TEST_CASE("A membrane brings its mass and momentum to the grid; its forces have 
   CHECK(state.membranes[0].tension[1] == 0);
 }
 
+TEST_CASE("What a membrane caught of particles goes to the grid as a force of one step") {
+  State<2> state = line_state();
+  Grid<2> grid = box_grid(Transfer::blend);
+  for (auto& component : state.membranes[0].caught) component.assign(state.membranes[0].nodes(), 0.0);
+  state.membranes[0].caught[0][1] = 3;
+  state.membranes[0].caught[1][2] = -5;
+  membranes_to_grid(state, grid, 0, dt);
+  double fx = 0, fy = 0;
+  for_each_node(grid.layout, 2, [&](int flat, const auto&) {
+    fx += grid.force[flat][0];
+    fy += grid.force[flat][1];
+  });
+  CHECK(fx * dt == near(3, 1e-10));
+  CHECK(fy * dt == near(-5, 1e-10));
+}
+
 TEST_CASE("Without a record of its own, dt times the membrane's force joins the momentum") {
   State<2> state = line_state();
   Grid<2> apart = box_grid(Transfer::blend), joined = box_grid(Transfer::tpic);

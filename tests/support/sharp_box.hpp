@@ -79,7 +79,7 @@ struct SharpBox {
     for (const auto& point : points)
       for (int a = 0; a < 2; ++a) m.x[a].push_back(point[a]);
     const std::size_t n = points.size();
-    for (auto* values : {&m.v, &m.load})
+    for (auto* values : {&m.v, &m.load, &m.caught})
       for (auto& component : *values) component.assign(n, 0.0);
     m.mass.assign(n, 1.0);
     m.rest_length.assign(n, 1.0);

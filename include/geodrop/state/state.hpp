@@ -114,13 +114,15 @@ struct Membrane {
   Array<double> contents_pressure;  ///< nodes: effective pressure p' of a soil inside on it [Pa]; else empty
 
   // Of a sharp membrane:
-  std::string bed;               ///< body around that it rubs on; empty: none
-  double bed_friction = 0;       ///< mu on it [-]
-  Shear shear = Shear::none;     ///< of the fluid around
-  double wall_friction = 0;      ///< C_f of Shear::wall_law [-]
-  double roughness = 0;          ///< k_s of Shear::rough_wall [m]
-  double drag_coefficient = 0;   ///< C_d of a drag that the fluid does not feel [-]
-  double fluid_density = 0;      ///< of the fluid around [kg/m3]; 0: there is none
+  std::string bed;              ///< body around that it rubs on; empty: none
+  double bed_friction = 0;      ///< mu on it [-]
+  Shear shear = Shear::none;    ///< of the fluid around
+  double wall_friction = 0;     ///< C_f of Shear::wall_law [-]
+  double roughness = 0;         ///< k_s of Shear::rough_wall [m]
+  double drag_coefficient = 0;  ///< C_d of a drag that the fluid does not feel [-]
+  double fluid_density = 0;     ///< of the fluid around [kg/m3]; 0: there is none
+  /// Nodes: what particles that it has held back left to it in the last step, see cut/keep_sides [N s]; else empty.
+  std::array<Array<double>, Dim> caught;
   Array<double> water_pressure;  ///< segments: of what is around [Pa]; else empty
   Array<double> water_shear;     ///< likewise, traction on the membrane along it, from node to node [Pa]
   Array<double> bed_shear;       ///< the part of it that is friction on the bed [Pa]; empty without a bed
