@@ -378,6 +378,18 @@ void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Con
   store(rows, traction, grids, contacts);
 }
 
+/// In the plane knots follow the outline, see traction_basis; in space they lie on the cloth, and are found once.
+void find_knots(const State<2>&, const Grids<2>&, std::vector<ClothKnots>&, std::vector<Contact<2>>&) {}
+void find_knots(const State<3>& state, const Grids<3>& grids, std::vector<ClothKnots>& knots,
+                std::vector<Contact<3>>& contacts) {
+  knots.resize(state.membranes.size());
+  for (Contact<3>& contact : contacts) {
+    ClothKnots& of_cloth = knots[static_cast<std::size_t>(contact.membrane - state.membranes.data())];
+    if (of_cloth.count == 0) of_cloth = cloth_knots(*contact.membrane, between_knots * grids.front().layout.finest);
+    contact.knots = &of_cloth;
+  }
+}
+
 }  // namespace
 
 void count_solution(bool converged, double t, ConstraintWatch& watch) {
@@ -393,8 +405,9 @@ void count_solution(bool converged, double t, ConstraintWatch& watch) {
 }
 
 template <int Dim>
-void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
+void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt, std::vector<ClothKnots>& knots) {
   Joint<Dim> joint{find_contacts(state, grids), {}, anchor_rows(state, grids)};
+  find_knots(state, grids, knots, joint.contacts);
   const auto last = tractions_along(joint.contacts, grids);
   joint.said = rows_of(grids, joint.contacts);
   count_solution(join(dt, joint, grids), state.t, state.constraint_watch);
@@ -403,7 +416,7 @@ void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt) {
   for (Grid<Dim>& grid : grids) impose_wall_velocity(grid);
 }
 
-template void join_interfaces(State<2>&, Grids<2>&, double);
-template void join_interfaces(State<3>&, Grids<3>&, double);
+template void join_interfaces(State<2>&, Grids<2>&, double, std::vector<ClothKnots>&);
+template void join_interfaces(State<3>&, Grids<3>&, double, std::vector<ClothKnots>&);
 
 }  // namespace geodrop

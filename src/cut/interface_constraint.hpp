@@ -3,7 +3,7 @@
 //
 //   sum_r B_rk e_r = 0
 //
-// for each knot k (traction_basis; in space each stretch is one). Its multiplier p_k is the pressure on the membrane
+// for each knot k (traction_basis). Its multiplier p_k is the pressure on the membrane
 // there [Pa], p_r = sum_k B_rk p_k that on a stretch: v_i inside -= dt p_r b_ir / m_i, around += dt p_r b_ir / m_i.
 // What light nodes cannot take goes to their neighbours, here as in grid/momentum, so that an even pressure inside,
 // around and on the membrane leaves no node with a force; b is spread in the same way, so that the system
@@ -23,13 +23,17 @@
 #include <geodrop/grid/grid.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <vector>
+
+#include "cloth_knots.hpp"
+
 namespace geodrop {
 
 /// Makes the velocities on both sides of sharp membranes agree, by equal and opposite impulses; renews
 /// Membrane::water_pressure and water_shear, and force and stretch of anchors there. Throws RunError where one of them
-/// is not finite.
+/// is not finite. knots: of the membranes in space, which the first call finds; in the plane there are none.
 template <int Dim>
-void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt);
+void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt, std::vector<ClothKnots>& knots);
 
 /// Counts steps whose tractions fell short of the tolerance; throws RunError at the hundredth in a row. t [s].
 void count_solution(bool converged, double t, ConstraintWatch& watch);

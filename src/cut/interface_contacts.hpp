@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "cloth_knots.hpp"
 #include "interface_rows.hpp"
 #include "rough_wall.hpp"
 
@@ -18,6 +19,7 @@ template <int Dim>
 struct Contact {
   Membrane<Dim>* membrane;
   Stretch stretch;
+  const ClothKnots* knots = nullptr;  ///< of the membrane, in space
   bool on_bed = false;
   double pore_pressure = 0;  ///< of the bed [Pa]
   double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]

@@ -63,7 +63,9 @@ Row<Dim> join_interfaces_row(const Scene& scene) {
               Data::pore_space | Data::anchors,
           Data::nodal_velocity | Data::velocity_change | Data::water_traction | Data::anchors,
           has_sharp_interface(scene),
-          [](State<Dim>& s, Grids<Dim>& f, const StepContext& step) { join_interfaces(s, f, step.dt); }};
+          [knots = std::vector<ClothKnots>()](State<Dim>& s, Grids<Dim>& f, const StepContext& step) mutable {
+            join_interfaces(s, f, step.dt, knots);
+          }};
 }
 
 template <int Dim>

@@ -8,12 +8,13 @@
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
 #include "membrane/outline.hpp"
+#include "membrane/triangles.hpp"
 
 namespace geodrop {
 namespace {
 
 /// Lengths are in cells: each piece of an outline over the width of its cell.
-constexpr double between_knots = 2, least_between_knots = 1;
+constexpr double least_between_knots = 1;
 
 /// Angle by which an outline turns at a corner [rad].
 constexpr double least_turn = 0.6;
@@ -122,13 +123,6 @@ std::vector<double> knots_of_open(const Run& run) {
   return divide(places, 1);
 }
 
-/// What a stretch takes of the pressure at a knot.
-struct Share {
-  int knot;
-  double value;
-};
-using Shares = std::vector<Share>;
-
 /// Means over [from, to] of the functions that are 1 at a knot and fall to 0 at the knots beside it: f(interval, that
 /// of the knot at its start, that of the knot at its end).
 template <class F>
@@ -142,16 +136,8 @@ void for_each_mean(const std::vector<double>& knots, double from, double to, F&&
   }
 }
 
-void add(int knot, double value, Shares& shares) {
-  const auto found = std::find_if(shares.begin(), shares.end(), [&](const Share& share) { return share.knot == knot; });
-  if (found != shares.end())
-    found->value += value;
-  else
-    shares.push_back({knot, value});
-}
-
 /// Numbers the knots of a run from `first` on; returns the number after them.
-int share_out(const Run& run, int first, std::vector<Shares>& shares) {
+int share_out(const Run& run, int first, std::vector<KnotShares>& shares) {
   std::vector<double> knots = run.closed ? knots_of_closed(run) : knots_of_open(run);
   if (knots.size() == 1) {
     for (const std::size_t c : run.contacts) shares[c] = {{first, 1}};
@@ -198,8 +184,8 @@ std::vector<Run> runs_of(const Grid<2>& grid, const std::vector<Contact<2>>& con
   return runs;
 }
 
-std::vector<Shares> shares_of(const std::vector<Contact<2>>& contacts, const Grids<2>& grids) {
-  std::vector<Shares> shares(contacts.size());
+std::vector<KnotShares> shares_of(const std::vector<Contact<2>>& contacts, const Grids<2>& grids) {
+  std::vector<KnotShares> shares(contacts.size());
   int knots = 0;
   for (std::size_t first = 0, last; first < contacts.size(); first = last) {
     last = first;
@@ -210,16 +196,31 @@ std::vector<Shares> shares_of(const std::vector<Contact<2>>& contacts, const Gri
   return shares;
 }
 
-std::vector<Shares> shares_of(const std::vector<Contact<3>>& contacts, const Grids<3>&) {
-  std::vector<Shares> shares(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c) shares[c] = {{static_cast<int>(c), 1}};
+/// Stretches on the bed, which may only push, have a pressure of their own, after those of all knots.
+std::vector<KnotShares> shares_of(const std::vector<Contact<3>>& contacts, const Grids<3>& grids) {
+  std::vector<KnotShares> shares(contacts.size());
+  int first = 0, next = 0;  // knots of the membrane at hand, and after them
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact<3>& contact = contacts[c];
+    if (c == 0 || contact.membrane != contacts[c - 1].membrane) {
+      first = next;
+      next += contact.knots->count;
+    }
+    if (contact.on_bed) continue;
+    for_each_share(grids[contact.membrane->field].outline, contact.stretch, [&](std::size_t triangle, double share) {
+      const double part = share * 0.5 * normal_of(*contact.membrane, triangle).norm() / contact.stretch.size;
+      for (const auto& [knot, value] : contact.knots->of_triangle[triangle]) add(first + knot, part * value, shares[c]);
+    });
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts[c].on_bed) shares[c] = {{next++, 1}};
   return shares;
 }
 
 template <int Dim>
 SparseRows basis_of(const std::vector<Contact<Dim>>& contacts, const Grids<Dim>& grids,
                     const std::vector<RowOfContact>& rows, std::size_t others) {
-  const std::vector<Shares> shares = shares_of(contacts, grids);
+  const std::vector<KnotShares> shares = shares_of(contacts, grids);
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<int> across, through;  // columns of knots
   int row = 0, columns = 0;

@@ -78,6 +78,8 @@ Eigen::Matrix<double, 3, 2> deformation(const Membrane<3>& membrane, std::size_t
   return edges * inverse_rest(membrane, t);
 }
 
+Eigen::Matrix2d rest_edges(const Membrane<3>& membrane, std::size_t t) { return inverse_rest(membrane, t).inverse(); }
+
 Eigen::Matrix2d rest_edges(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& warp) {
   constexpr double least = 1e-6;  // of the warp's length: else it stands on the cloth
   const Eigen::Vector3d one = corners[1] - corners[0], other = corners[2] - corners[0];

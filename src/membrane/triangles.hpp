@@ -38,6 +38,9 @@ Eigen::Matrix<double, 3, 2> deformation(const Membrane<3>& membrane, std::size_t
 /// lies in its plane is the first axis; the first edge where nothing does.
 Eigen::Matrix2d rest_edges(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& warp);
 
+/// The same of a triangle of a membrane.
+Eigen::Matrix2d rest_edges(const Membrane<3>& membrane, std::size_t triangle);
+
 /// Middle of a triangle now [m], and twice its area times its outward normal [m2].
 Eigen::Vector3d middle_of(const Membrane<3>& membrane, std::size_t triangle);
 Eigen::Vector3d normal_of(const Membrane<3>& membrane, std::size_t triangle);

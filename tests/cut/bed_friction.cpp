@@ -9,6 +9,7 @@
 
 #include "cut/interface_constraint.hpp"
 #include "grid/momentum.hpp"
+#include "support/join.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
 
@@ -44,7 +45,7 @@ struct Joined {
       impose_wall_velocity(grid);
     }
     energy_before = kinetic();
-    join_interfaces(state, grids, 1e-3);
+    join(state, grids, 1e-3);
     energy = kinetic();
   }
   double kinetic() const {

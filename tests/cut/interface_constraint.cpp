@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "support/join.hpp"
 #include "support/near.hpp"
 #include "support/sharp_box.hpp"
 
@@ -52,7 +53,7 @@ SharpBox on_bed(double approach, double friction, double pore_pressure) {
   std::fill(lattice.mass.begin(), lattice.mass.end(), 0.25 * box_density);
   box.state.bodies[0] = lattice;
   move_left_side(box.inside(), -approach, speed);
-  join_interfaces(box.state, box.grids, dt);
+  join(box.state, box.grids, dt);
   return box;
 }
 
@@ -73,7 +74,7 @@ double momentum_y(const Grid<2>& grid) {
 TEST_CASE("Velocities that agree are left alone, and free slip is no reason to change anything") {
   SharpBox box = slipping(Shear::none);
   const Array<Vec4> before = box.around().velocity;
-  join_interfaces(box.state, box.grids, dt);
+  join(box.state, box.grids, dt);
   for_each_node(box.around().layout, 0, [&](int node, const auto&) {
     for (int a = 0; a < 2; ++a) CHECK(box.around().velocity[node][a] == within(before[node][a], 1e-12));
   });
@@ -88,7 +89,7 @@ TEST_CASE("The wall law drags the membrane by 1/2 rho C_f u^2 the way that the w
     box.skin().contents_friction = 0.3;  // sand inside that takes next to nothing: the cloth bears the rest
     box.skin().contents_pressure.assign(box.skin().nodes(), 0.1);
     const double before = momentum_y(box.around());
-    join_interfaces(box.state, box.grids, dt);
+    join(box.state, box.grids, dt);
     // From 5.5 to 6.5 all nodes that matter move at the full speed; from 3.5 to 4.5 node 5 alone, int N = 1/6.
     CHECK(shear_upwards(box, 6, sense) == near(0.5 * box_density * C_f * speed * speed, 1e-9));
     CHECK(shear_upwards(box, 4, sense) == near(0.5 * box_density * C_f * speed * speed / 36, 1e-9));
@@ -102,8 +103,8 @@ TEST_CASE("The wall law drags the membrane by 1/2 rho C_f u^2 the way that the w
 TEST_CASE("The wall law never does more than stop the slip") {
   SharpBox law = slipping(Shear::wall_law), sticks = slipping(Shear::no_slip);
   law.skin().wall_friction = 1e9;
-  join_interfaces(law.state, law.grids, dt);
-  join_interfaces(sticks.state, sticks.grids, dt);
+  join(law.state, law.grids, dt);
+  join(sticks.state, sticks.grids, dt);
   // Friction comes after the normal velocities were joined, sticking together with them: 1.9 % apart.
   for (const double y : {5.0, 6.0, 7.0}) {
     CHECK(shear_upwards(sticks, y) > 1e4);
@@ -118,7 +119,7 @@ TEST_CASE("Water that sticks drags a membrane over soil by mu p' at most, p' of 
     limited->skin().contents_friction = mu;
     limited->skin().contents_pressure.assign(limited->skin().nodes(), pressure);
   }
-  for (SharpBox* each : {&box, &firm, &sticks}) join_interfaces(each->state, each->grids, dt);
+  for (SharpBox* each : {&box, &firm, &sticks}) join(each->state, each->grids, dt);
   for (const double y : {5.0, 6.0, 7.0}) {
     CHECK(shear_upwards(box, y) == near(mu * inside, 1e-9));
     CHECK(shear_upwards(firm, y) == near(shear_upwards(sticks, y), 0.03));  // as under the wall law
@@ -145,8 +146,8 @@ TEST_CASE("A bed pushes but does not pull; a fluid pulls as much as it pushes") 
   SharpBox in_water = tall(), towards = tall();
   move_left_side(in_water.inside(), 0.5, 0);
   move_left_side(towards.inside(), -0.5, 0);
-  join_interfaces(in_water.state, in_water.grids, dt);
-  join_interfaces(towards.state, towards.grids, dt);
+  join(in_water.state, in_water.grids, dt);
+  join(towards.state, towards.grids, dt);
   const std::size_t middle = in_water.segment_at(3.25, 6);
   CHECK(in_water.skin().water_pressure[middle] < -2e4);
   CHECK(in_water.skin().water_pressure[middle] == near(-towards.skin().water_pressure[middle], 1e-6));
@@ -167,7 +168,7 @@ TEST_CASE("A traction that is not finite ends the run, with the membrane and the
   SharpBox box = slipping(Shear::none);
   box.inside().velocity[box.inside().layout.index({4, 6})][0] = std::numeric_limits<double>::quiet_NaN();
   try {
-    join_interfaces(box.state, box.grids, dt);
+    join(box.state, box.grids, dt);
     FAIL("no error");
   } catch (const RunError& error) {
     CAPTURE(error.what());

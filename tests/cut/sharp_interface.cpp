@@ -13,6 +13,7 @@
 #include "grid/momentum.hpp"
 #include "measure/water_force.hpp"
 #include "membrane/triangles.hpp"
+#include "support/join.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/scene_files.hpp"
@@ -147,7 +148,7 @@ TEST_CASE_TEMPLATE("Joining conserves momentum to round-off, also where nodes ar
     Fall<Axes::value> fall(settings);
     fall.scramble_velocities(1);
     const auto inside = fall.momentum(1), around = fall.momentum(0);
-    join_interfaces(fall.state, fall.grids, 1e-3);
+    join(fall.state, fall.grids, 1e-3);
     const auto inside_after = fall.momentum(1), around_after = fall.momentum(0);
     for (int a = 0; a < Axes::value; ++a) {
       const double given = inside_after[a] - inside[a], taken = around[a] - around_after[a];
@@ -161,10 +162,10 @@ TEST_CASE_TEMPLATE("Joined velocities need no further pressure", Axes, Plane, Sp
   for (const auto& axes : axes_of<Axes>()) {
     Fall<Axes::value> fall(axes);
     fall.scramble_velocities(2);
-    join_interfaces(fall.state, fall.grids, 1e-3);
+    join(fall.state, fall.grids, 1e-3);
     double before = 0, after = 0;
     for (const double p : fall.membrane().water_pressure) before = std::max(before, std::abs(p));
-    join_interfaces(fall.state, fall.grids, 1e-3);
+    join(fall.state, fall.grids, 1e-3);
     for (const double p : fall.membrane().water_pressure) after = std::max(after, std::abs(p));
     CHECK(before > 1e4);
     CHECK(after < 1e-5 * before);
@@ -176,9 +177,9 @@ TEST_CASE_TEMPLATE("Water that sticks no longer slips, and a second look finds n
   if (Axes::value == 2) settings.emplace_back("membranes.geotextile.contents_friction=inf");
   Fall<Axes::value> fall(settings);
   fall.scramble_velocities(3);
-  join_interfaces(fall.state, fall.grids, 1e-3);
+  join(fall.state, fall.grids, 1e-3);
   const double before = largest_shear(fall.membrane());
-  join_interfaces(fall.state, fall.grids, 1e-3);
+  join(fall.state, fall.grids, 1e-3);
   CHECK(before > 1e4);
   CHECK(largest_shear(fall.membrane()) < 1e-5 * before);
 }
@@ -190,7 +191,7 @@ TEST_CASE_TEMPLATE("The body gets the forces that the history tells of", Axes, P
     Fall<Axes::value> fall(settings);
     fall.scramble_velocities(5);
     const auto before = fall.momentum(1);
-    join_interfaces(fall.state, fall.grids, dt);
+    join(fall.state, fall.grids, dt);
     const auto after = fall.momentum(1);
     const auto force = water_force(fall.membrane());
     double friction = 0;
@@ -211,7 +212,7 @@ TEST_CASE("In space the wall law pulls at each triangle the way that the water s
         const bool flows = grid.field == 0 && grid.sum[flat][3] > 0;
         for (int a = 0; a < 3; ++a) grid.velocity[flat][a] = flows ? stream[a] : 0.0;
       });
-    join_interfaces(fall.state, fall.grids, 1e-3);
+    join(fall.state, fall.grids, 1e-3);
     const Membrane<3>& membrane = fall.membrane();
     double along = 0, all = 0;
     for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
@@ -232,7 +233,7 @@ TEST_CASE("In space a bed only pushes, and rubs by mu p at most in any direction
   bed.pore_pressure.assign(bed.size(), pore_pressure);
   fall.scramble_velocities(7);
   const double before = fall.kinetic();
-  join_interfaces(fall.state, fall.grids, 1e-3);
+  join(fall.state, fall.grids, 1e-3);
   const Membrane<3>& membrane = fall.membrane();
   std::size_t open = 0, slipping = 0;
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
@@ -248,7 +249,7 @@ TEST_CASE("In space a bed only pushes, and rubs by mu p at most in any direction
   const double with_friction = fall.kinetic();
   Fall<3> smooth({"membranes.skin.bed=water"});
   smooth.scramble_velocities(7);
-  join_interfaces(smooth.state, smooth.grids, 1e-3);
+  join(smooth.state, smooth.grids, 1e-3);
   CHECK(with_friction < smooth.kinetic());
   CHECK(smooth.kinetic() < before);
 }
