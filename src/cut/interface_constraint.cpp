@@ -8,126 +8,21 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "anchor_rows.hpp"
+#include "contact_rows.hpp"
 #include "grid/momentum.hpp"
-#include "interface_contacts.hpp"
-#include "interface_rows.hpp"
-#include "traction_basis.hpp"
+#include "interface_friction.hpp"
 
 namespace geodrop {
 namespace {
-
-std::vector<NodeVector<2>> normals_of(const Grid<2>& grid, const Contact<2>& contact) {
-  return normals_over(grid.layout, *contact.membrane, grid.outline, contact.stretch);
-}
-std::vector<NodeVector<3>> normals_of(const Grid<3>& grid, const Contact<3>& contact) {
-  return normals_over(grid.layout, grid.outline, contact.stretch);
-}
-
-/// What a contact says, as rows can take it. That along the membrane is the normal one, turned.
-template <int Dim>
-struct RowsOfContact {
-  RawRow<Dim> normal, through;
-};
-
-template <int Dim>
-RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, const Contact<Dim>& contact) {
-  const int field = contact.membrane->field;
-  const Grid<Dim>& grid = grids[field];
-  std::vector<NodeVector<Dim>> vectors = normals_of(grid, contact);
-  RowsOfContact<Dim> rows{make_row(grids, field, 0, vectors), {}};
-  if (contact.membrane->pore_pressure.empty()) return rows;
-  for (NodeVector<Dim>& vector : vectors)
-    for (double& value : vector.value) value *= grids[grid.pore_water].pore_share[vector.node];
-  rows.through = make_row(grids, grid.pore_water, field, vectors);
-  return rows;
-}
-
-template <int Dim>
-std::vector<RowsOfContact<Dim>> rows_of(const Grids<Dim>& grids, const std::vector<Contact<Dim>>& contacts) {
-  std::vector<RowsOfContact<Dim>> rows(contacts.size());
-  const auto count = static_cast<std::ptrdiff_t>(contacts.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::ptrdiff_t c = 0; c < count; ++c) rows[c] = rows_of(grids, contacts[c]);
-  return rows;
-}
-
-/// Rows for some of the contacts.
-template <int Dim>
-class ContactRows {
- public:
-  explicit ContactRows(const Grids<Dim>& grids) : rows_(grids) {}
-
-  /// False if one of the sides has no mass there.
-  bool add(const RawRow<Dim>& row, std::size_t c, Says says) {
-    const bool complete = rows_.add(row);
-    if (complete) list_.push_back({c, says});
-    return complete;
-  }
-
-  Rows<Dim>& rows() { return rows_; }
-  const std::vector<RowOfContact>& list() const { return list_; }
-
- private:
-  Rows<Dim> rows_;
-  std::vector<RowOfContact> list_;
-};
-
-/// What the rows along a membrane say.
-template <int Dim>
-constexpr auto tangents() {
-  if constexpr (Dim == 2)
-    return std::array{Says::tangent};
-  else
-    return std::array{Says::tangent, Says::second_tangent};
-}
-
-/// The row along an outline, from the one normal to it. In space what of it faces the mean normal of the stretch, made
-/// as large as the area.
-RawRow<2> along(const Contact<2>&, Says, const RawRow<2>& normal) { return along(normal); }
-RawRow<3> along(const Contact<3>& contact, Says says, RawRow<3> normal) {
-  const std::array<double, 3>&axis = contact.axes[0], &way = contact.axes[says == Says::tangent ? 1 : 2];
-  for (auto& entry : normal.entries) {
-    const double part = axis[0] * entry.value[0] + axis[1] * entry.value[1] + axis[2] * entry.value[2];
-    for (std::size_t a = 0; a < 3; ++a) entry.value[a] = part * way[a];
-  }
-  return normal;
-}
-
-/// Adds up the tractions of rows on the segments or triangles of membranes.
-template <int Dim>
-void store(ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const Grids<Dim>& grids,
-           std::vector<Contact<Dim>>& contacts) {
-  for (std::size_t r = 0; r < rows.list().size(); ++r) {
-    const std::size_t c = rows.list()[r].contact;
-    const Says says = rows.list()[r].says;
-    Membrane<Dim>& membrane = *contacts[c].membrane;
-    const Outline<Dim>& cells = grids[membrane.field].outline;
-    const double of_row = traction[static_cast<Eigen::Index>(r)];
-    if (says == Says::normal) contacts[c].pressure = of_row;
-    for_each_share(cells, contacts[c].stretch, [&](std::size_t at, double share) {
-      add_traction(contacts[c], cells, says, at, share * of_row);
-      if (says == Says::through && !contacts[c].on_bed)
-        membrane.seepage[at] += share * membrane.permeance * (of_row - contacts[c].pressure);
-    });
-  }
-}
 
 /// Tractions of rows, and whether they are as exact as asked.
 struct Solution {
   Eigen::VectorXd traction;
   bool converged;
-};
-
-/// What the tractions of rows do to the velocities of the rows: S = E K E^T + D, of the nodes' masses within E, the
-/// drag K of pore water (empty: none) and the flow D through the membrane.
-struct System {
-  SparseRows S;
-  Eigen::VectorXd rate;  ///< of the rows without tractions: E K v / dt
 };
 
 /// Tractions that stop the gaps from opening and closing, and the slip where it sticks.
@@ -167,14 +62,6 @@ Solution solve(const System& system, const std::vector<bool>& only_pushes, const
   }
   found.converged = false;  // the last sets are not those of their solution
   return found;
-}
-
-/// The system of rows E, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows
-/// ask for velocities after it. velocity_rate: M^1/2 v / dt.
-System system_of(const SparseRows& E, const Drag& drag, const Eigen::VectorXd& velocity_rate) {
-  if (drag.empty()) return {times_transpose(E, E), E * velocity_rate};
-  const SparseRows dragged = times(E, drag);
-  return {times_transpose(dragged, E), dragged * velocity_rate};
 }
 
 /// Flow through membranes, q = permeance (p_inside - p_around), in the rows of both sides of a stretch; into the bed
@@ -298,84 +185,6 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   store(rows, Eigen::VectorXd(basis * traction), grids, contacts);
   if (!held.empty()) keep_forces(held, dt, traction, Eigen::VectorXd(system.rate - system.S * traction));
   return converged;
-}
-
-/// Tractions along a membrane at one stretch, no larger together than `most`.
-void limit(double most, Eigen::Ref<Eigen::VectorXd> traction) {
-  if (traction.size() == 1)
-    traction[0] = std::clamp(traction[0], -most, most);
-  else if (const double size = traction.norm(); size > most)
-    traction *= most / size;
-}
-
-/// Tractions that stop the slip of rows, those of each stretch (Dim - 1 rows) together at most `most`: projected
-/// Gauss-Seidel from a guess.
-template <int Dim>
-Eigen::VectorXd solve_limited(const SparseRows& S, const Eigen::VectorXd& slip_rate, const std::vector<double>& most,
-                              Eigen::VectorXd traction) {
-  constexpr int most_sweeps = 200;
-  constexpr double tolerance = 1e-6;  // of the largest traction
-  constexpr Eigen::Index ways = Dim - 1;
-  Eigen::Matrix<double, ways, 1> before;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double change = 0;
-    for (Eigen::Index first = 0; first < S.rows(); first += ways) {
-      before = traction.template segment<ways>(first);
-      for (Eigen::Index r = first; r < first + ways; ++r) {
-        double held = 0, diagonal = 1;
-        for (SparseRows::InnerIterator entry(S, r); entry; ++entry) {
-          held += entry.value() * traction[entry.col()];
-          if (entry.col() == r) diagonal = entry.value();
-        }
-        traction[r] += (slip_rate[r] - held) / diagonal;
-      }
-      limit(most[static_cast<std::size_t>(first / ways)], traction.segment(first, ways));
-      change = std::max(change, (traction.template segment<ways>(first) - before).cwiseAbs().maxCoeff());
-    }
-    if (change <= tolerance * traction.cwiseAbs().maxCoeff()) break;
-  }
-  return traction;
-}
-
-/// Tractions along the membrane at each contact, before they are forgotten.
-template <int Dim>
-std::vector<std::array<double, Dim - 1>> tractions_along(const std::vector<Contact<Dim>>& contacts,
-                                                         const Grids<Dim>& grids) {
-  std::vector<std::array<double, Dim - 1>> out(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].rubs())
-      for (std::size_t k = 0; k < Dim - 1; ++k)
-        out[c][k] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, tangents<Dim>()[k]);
-  return out;
-}
-
-/// Friction: tractions along the membrane that stop it from slipping, at most mu times the effective pressure on the
-/// bed, what the soil inside takes where water would stick, or what the wall law says in fluid.
-template <int Dim>
-void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Contact<Dim>>& contacts, Grids<Dim>& grids,
-         const std::vector<std::array<double, Dim - 1>>& last) {
-  constexpr std::size_t ways = Dim - 1;
-  ContactRows<Dim> rows(grids);
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].joined && contacts[c].rubs())
-      for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
-  if (rows.list().empty()) return;
-  const Drag drag = rows.rows().drag(dt);
-  const SparseRows T = rows.rows().matrix();
-  const auto [S, slip_rate] = system_of(T, drag, rows.rows().scaled_velocities() / dt);
-  const Eigen::VectorXd slip = dt * slip_rate;
-  Eigen::VectorXd guess(S.rows());
-  std::vector<double> most(rows.list().size() / ways);
-  for (std::size_t k = 0; k < most.size(); ++k) {
-    const auto first = static_cast<Eigen::Index>(ways * k);
-    const std::size_t c = rows.list()[ways * k].contact;
-    most[k] = contacts[c].most_friction(slip.segment(first, ways).norm());
-    for (std::size_t way = 0; way < ways; ++way) guess[first + static_cast<Eigen::Index>(way)] = last[c][way];
-    limit(most[k], guess.segment(first, ways));
-  }
-  const Eigen::VectorXd traction = solve_limited<Dim>(S, slip_rate, most, guess);
-  apply_pressures(rows.rows(), T, traction, dt, grids);
-  store(rows, traction, grids, contacts);
 }
 
 /// In the plane knots follow the outline, see traction_basis; in space they lie on the cloth, and are found once.

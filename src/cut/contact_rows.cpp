@@ -1,0 +1,78 @@
+#include "contact_rows.hpp"
+
+#include <utility>
+
+namespace geodrop {
+namespace {
+
+std::vector<NodeVector<2>> normals_of(const Grid<2>& grid, const Contact<2>& contact) {
+  return normals_over(grid.layout, *contact.membrane, grid.outline, contact.stretch);
+}
+std::vector<NodeVector<3>> normals_of(const Grid<3>& grid, const Contact<3>& contact) {
+  return normals_over(grid.layout, grid.outline, contact.stretch);
+}
+
+template <int Dim>
+RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, const Contact<Dim>& contact) {
+  const int field = contact.membrane->field;
+  const Grid<Dim>& grid = grids[field];
+  std::vector<NodeVector<Dim>> vectors = normals_of(grid, contact);
+  RowsOfContact<Dim> rows{make_row(grids, field, 0, vectors), {}};
+  if (contact.membrane->pore_pressure.empty()) return rows;
+  for (NodeVector<Dim>& vector : vectors)
+    for (double& value : vector.value) value *= grids[grid.pore_water].pore_share[vector.node];
+  rows.through = make_row(grids, grid.pore_water, field, vectors);
+  return rows;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<RowsOfContact<Dim>> rows_of(const Grids<Dim>& grids, const std::vector<Contact<Dim>>& contacts) {
+  std::vector<RowsOfContact<Dim>> rows(contacts.size());
+  const auto count = static_cast<std::ptrdiff_t>(contacts.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::ptrdiff_t c = 0; c < count; ++c) rows[c] = rows_of(grids, contacts[c]);
+  return rows;
+}
+
+RawRow<2> along(const Contact<2>&, Says, const RawRow<2>& normal) { return along(normal); }
+RawRow<3> along(const Contact<3>& contact, Says says, RawRow<3> normal) {
+  const std::array<double, 3>&axis = contact.axes[0], &way = contact.axes[says == Says::tangent ? 1 : 2];
+  for (auto& entry : normal.entries) {
+    const double part = axis[0] * entry.value[0] + axis[1] * entry.value[1] + axis[2] * entry.value[2];
+    for (std::size_t a = 0; a < 3; ++a) entry.value[a] = part * way[a];
+  }
+  return normal;
+}
+
+template <int Dim>
+void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const Grids<Dim>& grids,
+           std::vector<Contact<Dim>>& contacts) {
+  for (std::size_t r = 0; r < rows.list().size(); ++r) {
+    const std::size_t c = rows.list()[r].contact;
+    const Says says = rows.list()[r].says;
+    Membrane<Dim>& membrane = *contacts[c].membrane;
+    const Outline<Dim>& cells = grids[membrane.field].outline;
+    const double of_row = traction[static_cast<Eigen::Index>(r)];
+    if (says == Says::normal) contacts[c].pressure = of_row;
+    for_each_share(cells, contacts[c].stretch, [&](std::size_t at, double share) {
+      add_traction(contacts[c], cells, says, at, share * of_row);
+      if (says == Says::through && !contacts[c].on_bed)
+        membrane.seepage[at] += share * membrane.permeance * (of_row - contacts[c].pressure);
+    });
+  }
+}
+
+System system_of(const SparseRows& E, const Drag& drag, const Eigen::VectorXd& velocity_rate) {
+  if (drag.empty()) return {times_transpose(E, E), E * velocity_rate};
+  const SparseRows dragged = times(E, drag);
+  return {times_transpose(dragged, E), dragged * velocity_rate};
+}
+
+template std::vector<RowsOfContact<2>> rows_of(const Grids<2>&, const std::vector<Contact<2>>&);
+template std::vector<RowsOfContact<3>> rows_of(const Grids<3>&, const std::vector<Contact<3>>&);
+template void store(const ContactRows<2>&, const Eigen::VectorXd&, const Grids<2>&, std::vector<Contact<2>>&);
+template void store(const ContactRows<3>&, const Eigen::VectorXd&, const Grids<3>&, std::vector<Contact<3>>&);
+
+}  // namespace geodrop
