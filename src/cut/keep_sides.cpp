@@ -11,6 +11,7 @@
 #include "cells_around.hpp"
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
+#include "grid/point_support.hpp"
 #include "near_triangles.hpp"
 #include "right_side.hpp"
 
@@ -114,18 +115,35 @@ struct Catch {
   Vec<Dim> momentum;
 };
 
-/// Puts a particle on its side of a membrane, and takes what has moved it through: no more than what leads back to
-/// the membrane in a step, and no more than its velocity towards the membrane, so that it does not bounce.
+/// What an impulse at a point of a membrane makes of its velocity there, by the nodes of its field:
+/// sum N_i^2 / m_i [1/kg].
 template <int Dim>
-Catch<Dim> put_back(const Membrane<Dim>& membrane, const RightSide<Dim>& side, double dt, std::size_t p,
-                    Body<Dim>& body) {
-  Vec<Dim> behind = vector_at(body.x, p), towards = vector_at(body.v, p);
+double mobility(const Grid<Dim>& grid, const Membrane<Dim>& membrane, const Vec<Dim>& x) {
+  std::array<double, Dim> place;
+  for (int a = 0; a < Dim; ++a) place[a] = x[a];
+  double sum = 0;
+  PointSupport<Dim>(grid.layout, place, membrane.half_size).for_each_node(grid.layout, [&](int node, double weight) {
+    if (const double mass = grid.sum[node][3]; mass > 0) sum += weight * weight / mass;
+  });
+  return sum;
+}
+
+/// Puts a particle on its side of a membrane. The membrane takes what has moved it through: no more than what leads
+/// back to the membrane in a step, and no more than its velocity towards the membrane; then both go on as one, as after
+/// a plastic impact, so that light cloth is not shot away.
+template <int Dim>
+Catch<Dim> put_back(const Grid<Dim>& of_membrane, const Membrane<Dim>& membrane, const RightSide<Dim>& side, double dt,
+                    std::size_t p, Body<Dim>& body) {
+  Vec<Dim> point = Vec<Dim>::Zero(), towards = vector_at(body.v, p);
   for (int k = 0; k < Dim; ++k) {
-    behind -= side.share[k] * vector_at(membrane.x, side.nodes[k]);
+    point += side.share[k] * vector_at(membrane.x, side.nodes[k]);
     towards -= side.share[k] * vector_at(membrane.v, side.nodes[k]);
   }
+  const Vec<Dim> behind = vector_at(body.x, p) - point;
   const double depth = behind.norm(), approach = depth > 0 ? towards.dot(behind) / depth : 0.0;
-  const Vec<Dim> change = approach > 0 ? Vec<Dim>(-std::min(approach / depth, 1 / dt) * behind) : Vec<Dim>::Zero();
+  Vec<Dim> change = Vec<Dim>::Zero();
+  if (approach > 0)
+    change = -std::min(approach / depth, 1 / dt) / (1 + body.mass[p] * mobility(of_membrane, membrane, point)) * behind;
   for (int a = 0; a < Dim; ++a) {
     body.x[a][p] = side.to[a];
     body.v[a][p] += change[a];
@@ -136,8 +154,9 @@ Catch<Dim> put_back(const Membrane<Dim>& membrane, const RightSide<Dim>& side, d
 /// Particles of a body in cells of the box that it shares. What the membrane takes from them is added up in their
 /// order.
 template <int Dim, class Near>
-void keep_body(const Grid<Dim>& grid, const BoxOfCells<Dim>& box, const Near& surface, double dt, Body<Dim>& body,
+void keep_body(const Grids<Dim>& grids, const BoxOfCells<Dim>& box, const Near& surface, double dt, Body<Dim>& body,
                Membrane<Dim>& membrane) {
+  const Grid<Dim>& grid = grids[body.field];
   constexpr std::size_t particles_of_a_part = 4096;
   const std::size_t n = body.size();
   const bool inside = body.field != 0;
@@ -149,7 +168,7 @@ void keep_body(const Grid<Dim>& grid, const BoxOfCells<Dim>& box, const Near& su
     for (std::size_t p = first; p < std::min(first + particles_of_a_part, n); ++p) {
       if (!box.may_hold(body.x, p) || grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
       const auto side = surface.on_side(vector_at(body.x, p), inside);
-      if (side) caught[part].push_back(put_back(membrane, *side, dt, p, body));
+      if (side) caught[part].push_back(put_back(grids[membrane.field], membrane, *side, dt, p, body));
     }
   }
   for (const std::vector<Catch<Dim>>& part : caught)
@@ -173,7 +192,7 @@ void keep_sides(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     const int water = grids[membrane.field].pore_water;
     for (Body<Dim>& body : state.bodies)
       if (body.field != waiting && (body.field == membrane.field || body.field == 0 || body.field == water))
-        keep_body(grids[body.field], box, surface, dt, body, membrane);
+        keep_body(grids, box, surface, dt, body, membrane);
   }
 }
 

@@ -136,6 +136,17 @@ TEST_CASE("A cell is wet if half of the room that bodies leave around it is fill
   CHECK_FALSE(wet_with(4.249));
 }
 
+TEST_CASE("Where bodies leave less than a tenth of a cell and its neighbours, it is dry however full that is") {
+  SharpBox box;
+  Grid<2>& around = box.around();
+  std::fill(around.taken.begin(), around.taken.end(), 0.9);
+  around.cell_volume[box.flat(5, 5)] = 0.9;
+  around.taken[box.flat(6, 6)] = 0.89;  // nine cells, and 0.91 of them left
+  CHECK(is_wet(around, box.flat(5, 5)));
+  around.taken[box.flat(6, 6)] = 0.91;
+  CHECK_FALSE(is_wet(around, box.flat(5, 5)));
+}
+
 TEST_CASE("The nodes around a cell run along x first; spans have the widths of the axes") {
   const Scene scene = graded_scene<2>(12, 1.0, WallKind::slip);
   const GridLayout<2> layout(scene.grid, scene.walls);
