@@ -151,48 +151,96 @@ Catch<Dim> put_back(const Grid<Dim>& of_membrane, const Membrane<Dim>& membrane,
   return {side, -body.mass[p] * change};
 }
 
-/// Particles of a body in cells of the box that it shares. What the membrane takes from them is added up in their
-/// order.
-template <int Dim, class Near>
-void keep_body(const Grids<Dim>& grids, const BoxOfCells<Dim>& box, const Near& surface, double dt, Body<Dim>& body,
-               Membrane<Dim>& membrane) {
-  const Grid<Dim>& grid = grids[body.field];
+template <int Dim>
+using Near = std::conditional_t<Dim == 2, NearEdges, NearTriangles>;
+
+/// A sharp membrane, and where it is.
+template <int Dim>
+struct Keeper {
+  Keeper(const Grids<Dim>& grids, Membrane<Dim>& of)
+      : grids(grids),
+        membrane(of),
+        field(grids[of.field]),
+        surface(grids.front().layout, of, field.outline),
+        box(grids.front().layout, field.outline) {}
+
+  /// Of what is on one side of the membrane, whatever its side: its content, the water in its pores, what is around.
+  bool keeps(const Body<Dim>& body) const {
+    return body.field != waiting && (body.field == 0 || body.field == membrane.field || body.field == field.pore_water);
+  }
+  /// Where a particle of a body goes that is on the wrong side; none is in cells that its body has for itself.
+  std::optional<RightSide<Dim>> moves(const Body<Dim>& body, std::size_t p) const {
+    const Grid<Dim>& own = grids[body.field];
+    if (!box.may_hold(body.x, p) || own.taken[cell_at(own.layout, body.x, p)] <= 0) return {};
+    return surface.on_side(vector_at(body.x, p), body.field != 0);
+  }
+
+  const Grids<Dim>& grids;
+  Membrane<Dim>& membrane;
+  const Grid<Dim>& field;
+  Near<Dim> surface;
+  BoxOfCells<Dim> box;
+};
+
+/// Puts a particle back that membranes have let through: caught[k] is what keeper k takes from it. Where two membranes
+/// touch, which overlap by a little then, nothing is outside of both: the particle stays in the middle.
+template <int Dim>
+void keep_particle(const std::vector<Keeper<Dim>>& keepers, double dt, std::size_t p, Body<Dim>& body,
+                   std::vector<std::vector<Catch<Dim>>>& caught) {
+  bool moved = false;
+  for (std::size_t k = 0; k < keepers.size(); ++k) {
+    const Keeper<Dim>& keeper = keepers[k];
+    if (!keeper.keeps(body)) continue;
+    const auto side = keeper.moves(body, p);
+    if (!side) continue;
+    caught[k].push_back(put_back(keeper.field, keeper.membrane, *side, dt, p, body));
+    moved = true;
+  }
+  if (!moved || keepers.size() == 1) return;
+  for (const Keeper<Dim>& keeper : keepers) {
+    if (!keeper.keeps(body)) continue;
+    const auto side = keeper.moves(body, p);
+    if (!side) continue;
+    for (int a = 0; a < Dim; ++a) body.x[a][p] = (body.x[a][p] + side->to[a]) / 2;
+    return;
+  }
+}
+
+/// Particles of a body. What membranes take from them is added up in their order.
+template <int Dim>
+void keep_body(const std::vector<Keeper<Dim>>& keepers, double dt, Body<Dim>& body) {
   constexpr std::size_t particles_of_a_part = 4096;
   const std::size_t n = body.size();
-  const bool inside = body.field != 0;
-  std::vector<std::vector<Catch<Dim>>> caught((n + particles_of_a_part - 1) / particles_of_a_part);
+  using Caught = std::vector<std::vector<Catch<Dim>>>;  // of each membrane
+  std::vector<Caught> caught((n + particles_of_a_part - 1) / particles_of_a_part, Caught(keepers.size()));
   const auto parts = static_cast<std::ptrdiff_t>(caught.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t part = 0; part < parts; ++part) {
     const std::size_t first = part * particles_of_a_part;
-    for (std::size_t p = first; p < std::min(first + particles_of_a_part, n); ++p) {
-      if (!box.may_hold(body.x, p) || grid.taken[cell_at(grid.layout, body.x, p)] <= 0) continue;
-      const auto side = surface.on_side(vector_at(body.x, p), inside);
-      if (side) caught[part].push_back(put_back(grids[membrane.field], membrane, *side, dt, p, body));
-    }
+    for (std::size_t p = first; p < std::min(first + particles_of_a_part, n); ++p)
+      keep_particle(keepers, dt, p, body, caught[part]);
   }
-  for (const std::vector<Catch<Dim>>& part : caught)
-    for (const Catch<Dim>& one : part)
-      for (int k = 0; k < Dim; ++k)
-        for (int a = 0; a < Dim; ++a) membrane.caught[a][one.at.nodes[k]] += one.at.share[k] * one.momentum[a];
+  for (const Caught& part : caught)
+    for (std::size_t k = 0; k < keepers.size(); ++k)
+      for (const Catch<Dim>& one : part[k])
+        for (int node = 0; node < Dim; ++node)
+          for (int a = 0; a < Dim; ++a)
+            keepers[k].membrane.caught[a][one.at.nodes[node]] += one.at.share[node] * one.momentum[a];
 }
 
 }  // namespace
 
 template <int Dim>
 void keep_sides(State<Dim>& state, const Grids<Dim>& grids, double dt) {
-  using Near = std::conditional_t<Dim == 2, NearEdges, NearTriangles>;
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
+  std::vector<Keeper<Dim>> keepers;
   for (Membrane<Dim>& membrane : state.membranes) {
     for (Array<double>& component : membrane.caught) std::fill(component.begin(), component.end(), 0.0);
-    if (!acts_sharply(membrane)) continue;
-    const Outline<Dim>& outline = grids[membrane.field].outline;
-    const Near surface(grids.front().layout, membrane, outline);
-    const BoxOfCells<Dim> box(grids.front().layout, outline);
-    const int water = grids[membrane.field].pore_water;
-    for (Body<Dim>& body : state.bodies)
-      if (body.field != waiting && (body.field == membrane.field || body.field == 0 || body.field == water))
-        keep_body(grids, box, surface, dt, body, membrane);
+    if (acts_sharply(membrane)) keepers.emplace_back(grids, membrane);
+  }
+  for (Body<Dim>& body : state.bodies) {
+    const auto keeps = [&](const Keeper<Dim>& keeper) { return keeper.keeps(body); };
+    if (std::any_of(keepers.begin(), keepers.end(), keeps)) keep_body(keepers, dt, body);
   }
 }
 

@@ -117,6 +117,44 @@ TEST_CASE("A membrane that waits to be placed moves nobody") {
   CHECK(water.x[0][0] == 2.9);
 }
 
+TEST_CASE("Where two bags touch, water between them stays in the middle of their overlap, and out of both elsewhere") {
+  SharpBox box;  // to x = 5.8 m
+  box.scene.bodies.push_back(box.scene.bodies[1]);
+  box.scene.bodies[2].name = "other bag";
+  box.scene.membranes.push_back(box.scene.membranes[0]);
+  box.scene.membranes[1].name = "other skin";
+  box.scene.membranes[1].body = "other bag";
+  box.grids = make_grids<2>(box.scene);
+  for (Grid<2>& grid : box.grids) activate_all_blocks(grid);
+  box.state.bodies.push_back(box.state.bodies[1]);
+  box.state.bodies[2].name = "other bag";
+  box.state.bodies[2].field = 2;
+  const Membrane<2> first = box.skin();
+  box.draw({.left = 5.7, .right = 8.3}, Sense::anticlockwise);
+  Membrane<2> second = box.skin();
+  second.name = "other skin";
+  second.body = "other bag";
+  second.field = 2;
+  Body<2>& water = box.state.bodies[0];
+  for (const bool swapped : {false, true}) {
+    CAPTURE(swapped);
+    box.state.membranes = {first, second};
+    if (swapped) std::swap(box.state.membranes[0], box.state.membranes[1]);
+    cut_interface_cells(box.state, box.grids);
+    water = blank_body<2>(water.material, 5);
+    const Array<double> at{5.77, 5.72, 5.6, 5.9, 2.8};
+    water.x = {at, Array<double>(5, 4.5)};
+    keep_sides(box.state, box.grids, dt);
+    const double middle = (5.7 + 5.8) / 2;
+    for (int p = 0; p < 4; ++p) {
+      CAPTURE(at[p]);
+      CHECK(water.x[0][p] == within(middle, 2 * off));
+    }
+    CHECK(water.x[0][4] == near(2.75 - off, 1e-14));
+    CHECK(water.x[1] == Array<double>(5, 4.5));
+  }
+}
+
 TEST_CASE("What has moved a particle through the membrane is taken from it and left to the nodes there") {
   struct Example {
     int field;
