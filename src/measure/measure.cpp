@@ -166,11 +166,11 @@ std::array<double, stress_components<Dim>> total_stress(const Body<Dim>& body, s
 
 double percentile(std::vector<double> values, double percent) {
   if (values.empty()) return not_there;
-  std::sort(values.begin(), values.end());
-  const double rank = percent / 100 * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
+  const double rank = percent / 100 * static_cast<double>(values.size() - 1), below = std::floor(rank);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(values.begin(), at, values.end());
+  const double next = at + 1 == values.end() ? *at : *std::min_element(at + 1, values.end());
+  return *at + (rank - below) * (next - *at);
 }
 
 template <int Dim>

@@ -238,18 +238,16 @@ Consolidation consolidation(const Scene& scene, const PoreSoil& soil) {
   return out;
 }
 
-double pore_wave_speed(const Scene& scene) {
-  double square = 0;
+std::map<std::size_t, double> pore_speed_squared(const Scene& scene) {
+  std::map<std::size_t, double> square;
   for (const PoreSoil& soil : pore_soils(scene)) {
     const BodySpec& body = scene.bodies[soil.body];
-    const Material skeleton = make_material(*find_material(scene, body.material));
     const auto water =
         std::get<Newtonian>(make_material(*find_material(scene, find_body(scene, body.saturated_by)->material)));
     const double n = soil.porosity;
-    square = std::max(square, std::pow(wave_speed(skeleton), 2) +
-                                  water.bulk_modulus / n * ((1 - n) / soil.grain_density + n / water.density));
+    square[soil.body] = water.bulk_modulus / n * ((1 - n) / soil.grain_density + n / water.density);
   }
-  return std::sqrt(square);
+  return square;
 }
 
 template <int Dim>

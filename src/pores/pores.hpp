@@ -20,6 +20,8 @@
 #include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <cstddef>
+#include <map>
 #include <vector>
 
 namespace geodrop {
@@ -54,9 +56,9 @@ struct Consolidation {
 };
 Consolidation consolidation(const Scene& scene, const PoreSoil& soil);
 
-/// Largest speed of waves in a coupled soil at the start [m/s]: skeleton and water with no drag between them, the
-/// fastest case. 0 if there is none.
-double pore_wave_speed(const Scene& scene);
+/// What water in the pores of each coupled soil, by the number of its body, adds to the square of its wave speed, with
+/// no drag between water and grains, the fastest case, at the start: (K_w / n) ((1 - n) / rho_s + n / rho_w) [m2/s2].
+std::map<std::size_t, double> pore_speed_squared(const Scene& scene);
 
 /// Grains in the cells and drag resistance, of the soils and where the water is.
 template <int Dim>

@@ -18,6 +18,10 @@
 namespace geodrop {
 namespace {
 
+/// Omega^2 <= d c^2 / h^2 where pressure belongs to cells, as that of water in pores does, and 6 d c^2 / h^2 where it
+/// belongs to particles.
+constexpr double cells_to_particles = 1.0 / 6;
+
 /// Density of the material that a membrane's mass and stiffness share a node with [kg/m3].
 template <int Dim>
 double density_beside(const State<Dim>& state, const Membrane<Dim>& membrane) {
@@ -37,6 +41,15 @@ double membrane_speed_squared(const State<Dim>& state, const Membrane<Dim>& memb
     const double stiffness = std::max(membrane.axial_stiffness / (1 - nu * nu), membrane.triangles.weft_stiffness);
     return stiffness / std::max(beside, membrane.triangles.mass_per_area);
   }
+}
+
+/// Of the stiffest membrane of a velocity field.
+template <int Dim>
+double membranes2(const State<Dim>& state, int field, double h) {
+  double square = 0;
+  for (const Membrane<Dim>& membrane : state.membranes)
+    if (membrane.field == field) square = std::max(square, membrane_speed_squared(state, membrane, h));
+  return square;
 }
 
 /// Of soil with gas in its pores, at the largest pore pressure of its particles.
@@ -158,22 +171,25 @@ template <int Dim>
 }  // namespace
 
 StepLimits::StepLimits(const Scene& scene)
-    : courant(scene.solver.courant), end(scene.time.end), pore_wave_speed(geodrop::pore_wave_speed(scene)) {}
+    : courant(scene.solver.courant), end(scene.time.end), pore_speed_squared(geodrop::pore_speed_squared(scene)) {}
 
-/// dt = C h / (c_eff + |v|max), c_eff^2 = max c^2 + J_m / (rho h), waves in body and membrane in one sum (safe);
-/// viscosity: C times h^2 / (2 d nu), the limit of an explicit step (safe); h is the finest cell's.
+/// dt = C h / (c_eff + |v|max), c_eff^2 = max of bodies of c^2 + c_pore^2 / 6 + J_m / (rho h), waves in a body and the
+/// membranes of its velocity field in one sum (safe); viscosity: C times h^2 / (2 d nu), the limit of an explicit step
+/// (safe); h is the finest cell's.
 template <int Dim>
 double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLayout<Dim>& layout) {
   if (!std::isfinite(state.v_max)) throw_not_finite(state);
-  double c2 = std::pow(limits.pore_wave_speed, 2), membrane2 = 0, nu = 0;
-  for (const Body<Dim>& body : state.bodies) {
-    c2 = std::max(c2, wave_speed_squared(body));
+  double c2 = 0, nu = 0;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<Dim>& body = state.bodies[b];
+    const auto pores = limits.pore_speed_squared.find(b);
+    const double pores2 = pores == limits.pore_speed_squared.end() ? 0 : cells_to_particles * pores->second;
+    c2 = std::max(c2, wave_speed_squared(body) + pores2 + membranes2(state, body.field, layout.finest));
     nu = std::max(nu, viscosity_in(body));
   }
-  for (const Membrane<Dim>& membrane : state.membranes)
-    membrane2 = std::max(membrane2, membrane_speed_squared(state, membrane, layout.finest));
-  double dt =
-      limits.courant * layout.finest / (std::sqrt(c2 + membrane2) + std::max(state.v_max, surface_speed(state)));
+  for (const Membrane<Dim>& membrane : state.membranes)  // of a field without bodies, too
+    c2 = std::max(c2, membranes2(state, membrane.field, layout.finest));
+  double dt = limits.courant * layout.finest / (std::sqrt(c2) + std::max(state.v_max, surface_speed(state)));
   dt = std::min(dt, contact_dt(state, layout.finest));
   if (nu > 0) dt = std::min(dt, limits.courant * layout.finest * layout.finest / (2 * Dim * nu));
   dt = damped(dt, state.damping_rate);

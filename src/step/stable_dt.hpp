@@ -5,12 +5,15 @@
 #include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <cstddef>
+#include <map>
+
 namespace geodrop {
 
 struct StepLimits {
-  double courant;          ///< [-]
-  double end;              ///< of the simulated time [s]
-  double pore_wave_speed;  ///< of coupled soils [m/s]
+  double courant;                                    ///< [-]
+  double end;                                        ///< of the simulated time [s]
+  std::map<std::size_t, double> pore_speed_squared;  ///< what water that flows adds to c^2, by body [m2/s2]
 
   explicit StepLimits(const Scene& scene);
 };

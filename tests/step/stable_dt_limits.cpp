@@ -71,3 +71,47 @@ TEST_CASE("Membranes that touch limit the step as two masses on one spring, 1/m 
   each.state.membrane_contacts[0].between = {"light skin", "light skin"};  // its own folds
   CHECK(dt(5e7, 0) == near(std::sqrt(0.5 * 500 * h / 5e7), 1e-14));
 }
+
+TEST_CASE("A membrane limits the step together with the bodies of its velocity field, and no others") {
+  Case each;
+  each.add_water("bag", 1000);
+  each.add_water("sea", 1000);
+  State<2>& state = each.state;
+  state.bodies[0].field = state.membranes[0].field = 1;
+  state.bodies[1].material = Newtonian{1000, 1e7, 0};  // c = 100 m/s
+  const auto dt = [&](double stiffness) {
+    state.membranes[0].axial_stiffness = stiffness;
+    return each.dt();
+  };
+  const auto at_speed = [](double square) { return courant * h / std::sqrt(square); };
+  CHECK(dt(0) == near(at_speed(1e4), 1e-14));
+  CHECK(dt(1000 * h * 7000) == near(at_speed(1e4), 1e-14));          // 2500 + 7000 in the bag
+  CHECK(dt(1000 * h * 8000) == near(at_speed(2500 + 8000), 1e-14));  // the bag's is larger
+  state.bodies[0].field = state.membranes[0].field = 0;              // all of them share the nodes
+  CHECK(dt(1000 * h * 7000) == near(at_speed(1e4 + 7000), 1e-14));
+  state.membranes[0].field = 2;  // and alone
+  CHECK(dt(1000 * h * 7000) == near(at_speed(1e4), 1e-14));
+  CHECK(dt(1000 * h * 11000) == near(at_speed(11000), 1e-14));
+}
+
+TEST_CASE("Water that flows through a soil has a sixth of the square of its speed, as cells bear its pressure") {
+  Scene scene = box_scene<2>(10, h, WallKind::slip);
+  MohrCoulombSpec sand;
+  sand.density = 1500;  // of grains, 2500 each
+  sand.youngs_modulus = 1e7;
+  sand.poissons_ratio = 0;
+  sand.pores = CoupledSpec{0.4, 1e-4};
+  scene.materials = {{"water", NewtonianSpec{1000, 2e6, 0}, {}}, {"sand", sand, {}}};
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "pore water";
+  scene.bodies[0].material = "water";
+  scene.bodies[1].name = "soil";
+  scene.bodies[1].material = "sand";
+  scene.bodies[1].saturated_by = "pore water";
+  State<2> state;
+  state.bodies = {blank_body<2>(make_material(scene.materials[0]), 1),
+                  blank_body<2>(make_material(scene.materials[1]), 1)};
+  const double skeleton = 1e7 / 1500, pores = 2e6 / 0.4 * (0.6 / 2500 + 0.4 / 1000);
+  const double dt = stable_dt(scene, state, GridLayout<2>(scene.grid, scene.walls));
+  CHECK(dt == near(courant * h / std::sqrt(skeleton + pores / 6), 1e-14));
+}

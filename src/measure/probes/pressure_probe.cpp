@@ -26,6 +26,7 @@ std::vector<Vec<Dim>> tips_of(const State<Dim>& state, const std::string& name) 
 template <int Dim>
 PressureSpread pressure_spread(const Scene& scene, const HydrostaticProbeSpec& probe, const State<Dim>& state) {
   const Material material = make_material(*find_material(scene, probe.still.fluid));
+  const auto& fluid = std::get<Newtonian>(material);
   const double gravity = -scene.gravity[vertical_axis<Dim>], near = 2 * finest_spacing(scene.grid), percent = 99.9;
   const std::vector<Vec<Dim>> tips = tips_of(state, probe.tips_of);
   const Body<Dim>& body = find_named(state.bodies, probe.body);
@@ -34,7 +35,7 @@ PressureSpread pressure_spread(const Scene& scene, const HydrostaticProbeSpec& p
     const Vec<Dim> x = vector_at(body.x, p);
     const double depth = probe.still.surface - x[vertical_axis<Dim>];
     const double error =
-        std::abs(mean_pressure(body, p) - still_pressure(std::get<Newtonian>(material), gravity, depth));
+        std::abs(mean_pressure(body, p) - still_pressure(fluid, gravity, depth));
     const bool tip = std::any_of(tips.begin(), tips.end(), [&](const Vec<Dim>& t) { return (x - t).norm() < near; });
     (tip ? at_tips : elsewhere).push_back(error);
   }
