@@ -19,7 +19,7 @@ endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG -fno-math-errno -fno-trapping-math -ffp-contract=off")
 set(CMAKE_CXX_FLAGS_DEBUG "-g -ffp-contract=off")
 
-# Kernels are compiled for AVX2 and AVX-512 as well and chosen at start (src/transfer/levels.hpp); this is the least they
+# Kernels are compiled for AVX2 and AVX-512 as well and chosen at start (src/base/levels.hpp); this is the least they
 # need. In builds of one level the kernels alone are for GEODROP_MARCH: other code gains nothing from it.
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(geodrop_flags INTERFACE -march=x86-64-v2)

@@ -3,7 +3,7 @@
 #include "base/nearest_name.hpp"
 #include "counted_steps.hpp"
 #include "machine.hpp"
-#include "transfer/levels.hpp"
+#include "base/levels.hpp"
 
 #include <geodrop/reader/scene_reader.hpp>
 

@@ -20,7 +20,7 @@
 #include "scene_file.hpp"
 #include "step/effort.hpp"
 #include "threads.hpp"
-#include "transfer/levels.hpp"
+#include "base/levels.hpp"
 
 namespace geodrop {
 namespace {

@@ -28,6 +28,11 @@ class NearEdges {
     edges_.resize(begin_.back());
     std::vector<int> at(begin_.begin(), begin_.end() - 1);
     for_each_near([&](int cell, int edge) { edges_[at[cell]++] = edge; });
+    constexpr double safely = 1 + 1e-9;  // against round-off
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+      const Vec<2> half = 0.5 * (node(end_of_edge(k, membrane.nodes())) - node(k));
+      discs_.push_back({node(k) + half, safely * half.norm()});
+    }
   }
 
   /// Where a point is to go that should be inside, or else outside; nothing if it is there.
@@ -52,8 +57,13 @@ class NearEdges {
   struct Nearest {
     int edge = -1;
     double share = 0;  ///< of the edge
-    double square = std::numeric_limits<double>::infinity();
+    double square = std::numeric_limits<double>::infinity(), distance = square;
     Vec<2> point;
+  };
+  /// Around an edge: what is farther from it than the nearest edge so far need not be looked at.
+  struct Disc {
+    Vec<2> middle;
+    double radius;
   };
 
   Vec<2> node(std::size_t k) const { return {membrane_.x[0][k], membrane_.x[1][k]}; }
@@ -81,12 +91,15 @@ class NearEdges {
   }
 
   void look_at(int edge, const Vec<2>& x, Nearest& nearest) const {
+    const Disc& disc = discs_[edge];
+    const double farthest = nearest.distance + disc.radius;
+    if ((x - disc.middle).squaredNorm() > farthest * farthest) return;
     const Vec<2> from = node(edge), along = node(end_of_edge(edge, membrane_.nodes())) - from;
     const double square = along.squaredNorm();
     const double share = square > 0 ? std::clamp((x - from).dot(along) / square, 0.0, 1.0) : 0.0;
     const Vec<2> point = from + share * along;
     const double distance = (x - point).squaredNorm();
-    if (distance < nearest.square) nearest = {edge, share, distance, point};
+    if (distance < nearest.square) nearest = {edge, share, distance, std::sqrt(distance), point};
   }
 
   /// Outward unit normal of an edge.
@@ -105,6 +118,7 @@ class NearEdges {
   const GridLayout<2>& layout_;
   const Membrane<2>& membrane_;
   const CutCells& cells_;
+  std::vector<Disc> discs_;         ///< of each edge
   std::vector<int> begin_, edges_;  ///< of each cell: edges_[begin_[cell]] to edges_[begin_[cell + 1] - 1]
 };
 
@@ -182,33 +196,33 @@ struct Keeper {
   BoxOfCells<Dim> box;
 };
 
+template <int Dim>
+using Keepers = std::vector<const Keeper<Dim>*>;
+
 /// Puts a particle back that membranes have let through: caught[k] is what keeper k takes from it. Where two membranes
 /// touch, which overlap by a little then, nothing is outside of both: the particle stays in the middle.
 template <int Dim>
-void keep_particle(const std::vector<Keeper<Dim>>& keepers, double dt, std::size_t p, Body<Dim>& body,
+void keep_particle(const Keepers<Dim>& keepers, double dt, std::size_t p, Body<Dim>& body,
                    std::vector<std::vector<Catch<Dim>>>& caught) {
   bool moved = false;
   for (std::size_t k = 0; k < keepers.size(); ++k) {
-    const Keeper<Dim>& keeper = keepers[k];
-    if (!keeper.keeps(body)) continue;
-    const auto side = keeper.moves(body, p);
+    const auto side = keepers[k]->moves(body, p);
     if (!side) continue;
-    caught[k].push_back(put_back(keeper.field, keeper.membrane, *side, dt, p, body));
+    caught[k].push_back(put_back(keepers[k]->field, keepers[k]->membrane, *side, dt, p, body));
     moved = true;
   }
   if (!moved || keepers.size() == 1) return;
-  for (const Keeper<Dim>& keeper : keepers) {
-    if (!keeper.keeps(body)) continue;
-    const auto side = keeper.moves(body, p);
+  for (const Keeper<Dim>* keeper : keepers) {
+    const auto side = keeper->moves(body, p);
     if (!side) continue;
     for (int a = 0; a < Dim; ++a) body.x[a][p] = (body.x[a][p] + side->to[a]) / 2;
     return;
   }
 }
 
-/// Particles of a body. What membranes take from them is added up in their order.
+/// Particles of a body, by all that keep it. What membranes take from them is added up in their order.
 template <int Dim>
-void keep_body(const std::vector<Keeper<Dim>>& keepers, double dt, Body<Dim>& body) {
+void keep_body(const Keepers<Dim>& keepers, double dt, Body<Dim>& body) {
   constexpr std::size_t particles_of_a_part = 4096;
   const std::size_t n = body.size();
   using Caught = std::vector<std::vector<Catch<Dim>>>;  // of each membrane
@@ -217,15 +231,17 @@ void keep_body(const std::vector<Keeper<Dim>>& keepers, double dt, Body<Dim>& bo
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t part = 0; part < parts; ++part) {
     const std::size_t first = part * particles_of_a_part;
-    for (std::size_t p = first; p < std::min(first + particles_of_a_part, n); ++p)
-      keep_particle(keepers, dt, p, body, caught[part]);
+    for (std::size_t p = first; p < std::min(first + particles_of_a_part, n); ++p) {
+      const auto may_hold = [&](const Keeper<Dim>* keeper) { return keeper->box.may_hold(body.x, p); };
+      if (std::any_of(keepers.begin(), keepers.end(), may_hold)) keep_particle(keepers, dt, p, body, caught[part]);
+    }
   }
   for (const Caught& part : caught)
     for (std::size_t k = 0; k < keepers.size(); ++k)
       for (const Catch<Dim>& one : part[k])
         for (int node = 0; node < Dim; ++node)
           for (int a = 0; a < Dim; ++a)
-            keepers[k].membrane.caught[a][one.at.nodes[node]] += one.at.share[node] * one.momentum[a];
+            keepers[k]->membrane.caught[a][one.at.nodes[node]] += one.at.share[node] * one.momentum[a];
 }
 
 }  // namespace
@@ -239,8 +255,10 @@ void keep_sides(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     if (acts_sharply(membrane)) keepers.emplace_back(grids, membrane);
   }
   for (Body<Dim>& body : state.bodies) {
-    const auto keeps = [&](const Keeper<Dim>& keeper) { return keeper.keeps(body); };
-    if (std::any_of(keepers.begin(), keepers.end(), keeps)) keep_body(keepers, dt, body);
+    Keepers<Dim> of_body;
+    for (const Keeper<Dim>& keeper : keepers)
+      if (keeper.keeps(body)) of_body.push_back(&keeper);
+    if (!of_body.empty()) keep_body(of_body, dt, body);
   }
 }
 

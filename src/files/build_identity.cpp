@@ -2,7 +2,7 @@
 
 #include <geodrop/version.hpp>
 
-#include "transfer/levels.hpp"
+#include "base/levels.hpp"
 
 namespace geodrop {
 namespace {

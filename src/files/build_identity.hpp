@@ -8,7 +8,7 @@ namespace geodrop {
 struct BuildIdentity {
   std::string version;   ///< of the program, with its commit
   std::string compiler;  ///< and how it was used
-  std::string sums;      ///< "fused" or "plain", see transfer/levels.hpp
+  std::string sums;      ///< "fused" or "plain", see base/levels.hpp
   bool operator==(const BuildIdentity&) const = default;
 };
 

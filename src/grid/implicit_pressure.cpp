@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
+#include <optional>
 #include <vector>
 
+#include "base/levels.hpp"
 #include "blocks.hpp"
 #include "cell_pressure.hpp"
+#include "cell_slopes.hpp"
 #include "momentum.hpp"
 #include "neighbourhood.hpp"
 #include "node_vectors.hpp"
@@ -18,74 +22,29 @@
 namespace geodrop {
 namespace {
 
-/// What has one pore pressure: a cell, or the parts of cells beside a sharp interface that share one.
+/// What `acts` of a row of a block, from the first to the last; nothing if none does.
 template <int Dim>
-struct Pressed {
-  using Part = typename std::vector<PartCell<Dim>>::const_iterator;
-  int cell;          ///< -1: parts
-  Part first, last;  ///< of Grid::part_cells
-};
-
-template <int Dim>
-std::vector<Pressed<Dim>> find_pressed(const Grid<Dim>& grid) {
-  const auto& parts = grid.part_cells;
-  std::vector<int> cut;
-  for (const PartCell<Dim>& part : parts) cut.push_back(part.flat);
-  std::sort(cut.begin(), cut.end());
-  std::vector<Pressed<Dim>> out;
-  for (const std::uint32_t block : grid.active_blocks)
-    for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>&) {
-      for (int flat = begin; flat < begin + count; ++flat)
-        if (grid.pore_modulus[flat] > 0 && carries_pressure(grid, flat) &&
-            !std::binary_search(cut.begin(), cut.end(), flat))
-          out.push_back({flat, parts.end(), parts.end()});
-    });
-  for_each_group(parts, [&](auto first, auto last) {
-    if (sum_of_group(grid.pore_modulus, first, last) > 0) out.push_back({-1, first, last});
-  });
-  return out;
+std::optional<RowAt<Dim>> acting_part(int begin, int count, std::array<int, Dim> first, auto&& acts) {
+  while (count > 0 && !acts(begin + count - 1)) --count;
+  for (; count > 0 && !acts(begin); ++begin, ++first[0]) --count;
+  if (count == 0) return {};
+  return RowAt<Dim>{begin, count, first};
 }
 
-/// g of a pressure at a node, or of a node at a pressure [m, m2].
+/// A row of cells that have a pore pressure each.
 template <int Dim>
-struct SlopeAt {
-  int at;
-  std::array<double, Dim> g;
+struct PressedCells {
+  RowAt<Dim> at;
+  int unknown;         ///< of the first of them
+  CellRow<Dim> share;  ///< of soften_light_cells, times the measure of g; 0: a cell without a pore pressure
 };
 
-/// The g of each row of a matrix.
+/// The g of parts of cells beside a sharp interface that share a pressure, with what nodes of small mass hand on, as
+/// the volume rates of parts see it (carried_velocity).
 template <int Dim>
-struct SlopesByRow {
-  std::vector<std::size_t> begin{0};
-  std::vector<SlopeAt<Dim>> entries;
-
-  int rows() const { return static_cast<int>(begin.size()) - 1; }
-};
-
-template <int Dim>
-void add_slopes_of_cell(const Grid<Dim>& grid, int flat, std::vector<SlopeAt<Dim>>& slopes) {
-  const std::array<int, Dim> cell = stored_cell(grid.layout, flat);
-  const double share = grid.volume_rate[flat] * face_measure(grid.layout);  // of soften_light_cells
-  std::array<std::array<double, 3>, Dim> value, slope;
-  for (int a = 0; a < Dim; ++a) {
-    value[a] = grid.integrals[a].value[cell[a]];
-    slope[a] = grid.integrals[a].slope[cell[a]];
-  }
-  for_neighbourhood(grid.layout, flat, [&](int node, const std::array<int, Dim>& entry) {
-    SlopeAt<Dim> at{node, {}};
-    for (int a = 0; a < Dim; ++a) {
-      at.g[a] = share;
-      for (int b = 0; b < Dim; ++b) at.g[a] *= (a == b ? slope : value)[b][entry[b]];
-    }
-    slopes.push_back(at);
-  });
-}
-
-/// With what nodes of small mass hand on, as the volume rates of parts see it (carried_velocity).
-template <int Dim>
-void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed<Dim>& pressed, std::vector<SlopeAt<Dim>>& slopes) {
+std::vector<NodeVector<Dim>> slopes_of_parts(const Grid<Dim>& grid, auto first, auto last) {
   std::vector<NodeVector<Dim>> carried;
-  for (auto part = pressed.first; part != pressed.last; ++part) {
+  for (auto part = first; part != last; ++part) {
     std::size_t n = 0;
     for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
       const std::array<double, Dim>& g = part->slope[n++];
@@ -96,134 +55,179 @@ void add_slopes_of_parts(const Grid<Dim>& grid, const Pressed<Dim>& pressed, std
     });
   }
   add_up_by_node(carried);
-  for (const auto& [node, g] : carried) slopes.push_back({node, g});
+  return carried;
 }
 
-/// Shorter products are not worth waking threads for: one of 2000 rows takes 15 us.
-constexpr int rows_worth_threads = 8192;
+/// Smaller systems are not worth waking threads for: a product with 2000 pressures takes 5 us.
+constexpr int pressures_worth_threads = 20000;
 
-/// The system for q = dt dp.
+/// The system for q = dt dp: of cells, row by row, then of parts of cells.
 template <int Dim>
 class PoreSystem {
  public:
-  PoreSystem(const Grid<Dim>& grid, double dt) {
-    const std::vector<Pressed<Dim>> all = find_pressed(grid);
-    compressibility_.resize(static_cast<Eigen::Index>(all.size()));
-    of_pressure_.begin.reserve(all.size() + 1);
-    of_pressure_.entries.reserve(all.size() * (Dim == 2 ? 9 : 27));
-    for (std::size_t r = 0; r < all.size(); ++r) add_row(grid, all[r], dt, compressibility_[r]);
-    number_nodes(grid);
-    transpose();
+  PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(grid, CellSlopes<Dim>::Of::slopes) {
+    std::vector<double> compressibility;
+    const auto stores = [&](double volume, double modulus) { return volume * volume / (modulus * dt * dt); };
+    find_cells(grid, stores, compressibility);
+    for_each_group(grid.part_cells, [&](auto first, auto last) {
+      const double modulus = sum_of_group(grid.pore_modulus, first, last);
+      if (!(modulus > 0)) return;
+      parts_.push_back(slopes_of_parts(grid, first, last));
+      compressibility.push_back(stores(sum_of_group(grid.cell_volume, first, last), modulus));
+    });
+    compressibility_ = Eigen::Map<Eigen::VectorXd>(compressibility.data(), std::ssize(compressibility));
+    if (empty()) return;
+    find_nodes(grid);
+    find_diagonal(grid);
   }
 
-  bool empty() const { return of_pressure_.rows() == 0; }
+  bool empty() const { return compressibility_.size() == 0; }
+  const Eigen::VectorXd& diagonal() const { return diagonal_; }
 
   /// (V_c / (K_c dt^2) + g M^-1 g^T) q.
-  Eigen::VectorXd times(const Eigen::VectorXd& q) const {
-    const std::vector<std::array<double, Dim>> moved = changes(q);
-    Eigen::VectorXd out(q.size());
-#pragma omp parallel for schedule(static) if (of_pressure_.rows() >= rows_worth_threads)
-    for (int r = 0; r < of_pressure_.rows(); ++r) out[r] = compressibility_[r] * q[r] + flow(r, moved);
-    return out;
-  }
-
-  Eigen::VectorXd diagonal() const {
-    Eigen::VectorXd out = compressibility_;
-    for (int r = 0; r < of_pressure_.rows(); ++r)
-      for (std::size_t k = of_pressure_.begin[r]; k < of_pressure_.begin[r + 1]; ++k) {
-        const auto& [node, g] = of_pressure_.entries[k];
-        for (int a = 0; a < Dim; ++a) out[r] += g[a] * g[a] * lightness_[node][a];
-      }
-    return out;
+  Eigen::VectorXd times(const Eigen::VectorXd& q) {
+    find_changes(q);
+    return compressibility_.cwiseProduct(q) + flows();
   }
 
   /// -g . v.
-  Eigen::VectorXd rates(const Grid<Dim>& grid) const {
-    std::vector<std::array<double, Dim>> velocity(nodes_.size());
-    for (std::size_t n = 0; n < nodes_.size(); ++n)
-      for (int a = 0; a < Dim; ++a) velocity[n][a] = grid.velocity[nodes_[n]][a];
-    Eigen::VectorXd out(of_pressure_.rows());
-    for (int r = 0; r < of_pressure_.rows(); ++r) out[r] = -flow(r, velocity);
-    return out;
+  Eigen::VectorXd rates(const Grid<Dim>& grid) {
+    for_each_node([&](int node) {
+      for (int a = 0; a < Dim; ++a) velocity_[a][node] = grid.velocity[node][a];
+    });
+    return -flows();
   }
 
-  /// What q does to the velocities of nodes() [m/s].
-  std::vector<std::array<double, Dim>> changes(const Eigen::VectorXd& q) const {
-    std::vector<std::array<double, Dim>> out(nodes_.size());
-#pragma omp parallel for schedule(static) if (of_node_.rows() >= rows_worth_threads)
-    for (int n = 0; n < of_node_.rows(); ++n) {
-      std::array<double, Dim> impulse{};
-      for (std::size_t k = of_node_.begin[n]; k < of_node_.begin[n + 1]; ++k)
-        for (int a = 0; a < Dim; ++a) impulse[a] += of_node_.entries[k].g[a] * q[of_node_.entries[k].at];
-      for (int a = 0; a < Dim; ++a) out[n][a] = lightness_[n][a] * impulse[a];
-    }
-    return out;
+  /// Adds what q does to the velocities of nodes.
+  void move_nodes(const Eigen::VectorXd& q, Grid<Dim>& grid) {
+    find_changes(q);
+    for_each_node([&](int node) {
+      for (int a = 0; a < Dim; ++a) {
+        grid.velocity[node][a] += velocity_[a][node];
+        if (!grid.velocity_change.empty()) grid.velocity_change[node][a] += velocity_[a][node];
+      }
+    });
   }
-
-  const std::vector<int>& nodes() const { return nodes_; }
 
  private:
-  void add_row(const Grid<Dim>& grid, const Pressed<Dim>& pressed, double dt, double& compressibility) {
-    double volume = 0, modulus = 0;
-    if (pressed.cell >= 0) {
-      add_slopes_of_cell(grid, pressed.cell, of_pressure_.entries);
-      volume = grid.cell_volume[pressed.cell];
-      modulus = grid.pore_modulus[pressed.cell];
-    } else {
-      add_slopes_of_parts(grid, pressed, of_pressure_.entries);
-      volume = sum_of_group(grid.cell_volume, pressed.first, pressed.last);
-      modulus = sum_of_group(grid.pore_modulus, pressed.first, pressed.last);
+  /// Cells that parts take have no pressure of their own.
+  void find_cells(const Grid<Dim>& grid, auto&& stores, std::vector<double>& compressibility) {
+    std::vector<bool> cut(grid.layout.nodes(), false);
+    for (const PartCell<Dim>& part : grid.part_cells) cut[part.flat] = true;
+    const auto acts = [&](int flat) {
+      return grid.pore_modulus[flat] > 0 && carries_pressure(grid, flat) && !cut[flat];
+    };
+    for (const std::uint32_t block : grid.active_blocks)
+      for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>& first) {
+        const auto at = acting_part<Dim>(begin, count, first, acts);
+        if (!at) return;
+        cells_.push_back({*at, static_cast<int>(compressibility.size()), {}});
+        for (int k = 0; k < at->count; ++k) {
+          const int flat = at->begin + k;
+          if (acts(flat)) cells_.back().share[k] = grid.volume_rate[flat] * face_measure(grid.layout);
+          compressibility.push_back(acts(flat) ? stores(grid.cell_volume[flat], grid.pore_modulus[flat]) : 1.0);
+        }
+      });
+  }
+
+  /// Nodes that a pressure moves, and 1 / m of each component, 0 for what does not move [1/kg].
+  void find_nodes(const Grid<Dim>& grid) {
+    std::vector<bool> moves(grid.layout.nodes(), false);
+    for (const auto& [at, unknown, share] : cells_)
+      for_rows_around<Dim>(grid.layout, [&, begin = at.begin - 1, count = at.count + 2](int offset, int, int) {
+        std::fill_n(moves.begin() + begin + offset, count, true);
+      });
+    for (const auto& part : parts_)
+      for (const auto& [node, g] : part) moves[node] = true;
+    for (auto* vectors : {&velocity_, &lightness_, &by_parts_})
+      for (std::vector<double>& component : *vectors) component.assign(grid.layout.nodes(), 0.0);
+    pressure_.assign(grid.layout.nodes(), 0.0);
+    for (const std::uint32_t block : grid.active_blocks)
+      for_each_real_row_of_block(grid.layout, block, [&](int begin, int count, const std::array<int, Dim>& first) {
+        if (const auto at = acting_part<Dim>(begin, count, first, [&](int node) { return moves[node]; }))
+          nodes_.push_back(*at);
+      });
+    for_each_node([&](int node) {
+      const std::array<bool, Dim> held = held_by_walls(grid.layout, node);
+      const double mass = grid.sum[node][3];
+      for (int a = 0; a < Dim; ++a) lightness_[a][node] = held[a] || !(mass > 0) ? 0 : 1 / mass;
+    });
+  }
+
+  void find_diagonal(const Grid<Dim>& grid) {
+    const CellSlopes<Dim> squares(grid, CellSlopes<Dim>::Of::squares);
+    diagonal_ = compressibility_;
+    for (const auto& [at, unknown, share] : cells_) {
+      const CellRow<Dim> moved = squares.flow(at, lightness_);
+      for (int k = 0; k < at.count; ++k) diagonal_[unknown + k] += share[k] * share[k] * moved[k];
     }
-    of_pressure_.begin.push_back(of_pressure_.entries.size());
-    compressibility = volume * volume / (modulus * dt * dt);
+    for (std::size_t r = 0; r < parts_.size(); ++r)
+      for (const auto& [node, g] : parts_[r])
+        for (int a = 0; a < Dim; ++a) diagonal_[first_part() + r] += g[a] * g[a] * lightness_[a][node];
   }
 
-  /// Numbers in the place of flat indices; 1 / m of each component, 0 for what does not move [1/kg].
-  void number_nodes(const Grid<Dim>& grid) {
-    std::vector<int> number(grid.layout.nodes(), -1);
-    for (SlopeAt<Dim>& entry : of_pressure_.entries) {
-      int& column = number[entry.at];
-      if (column < 0) {
-        column = static_cast<int>(nodes_.size());
-        nodes_.push_back(entry.at);
-        const std::array<bool, Dim> held = held_by_walls(grid.layout, entry.at);
-        const double mass = grid.sum[entry.at][3];
-        lightness_.emplace_back();
-        for (int a = 0; a < Dim; ++a) lightness_.back()[a] = held[a] || !(mass > 0) ? 0 : 1 / mass;
-      }
-      entry.at = column;
+  /// velocity_: what q does to nodes [m/s].
+  void find_changes(const Eigen::VectorXd& q) {
+    for (const auto& [at, unknown, share] : cells_)
+      for (int k = 0; k < at.count; ++k) pressure_[at.begin + k] = share[k] * q[unknown + k];
+    for (const auto& part : parts_)
+      for (const auto& [node, g] : part)
+        for (int a = 0; a < Dim; ++a) by_parts_[a][node] = 0;
+    for (std::size_t r = 0; r < parts_.size(); ++r)
+      for (const auto& [node, g] : parts_[r])
+        for (int a = 0; a < Dim; ++a) by_parts_[a][node] += g[a] * q[first_part() + r];
+    const auto rows = std::ssize(nodes_);
+#pragma omp parallel for schedule(static) if (q.size() >= pressures_worth_threads)
+    for (std::ptrdiff_t r = 0; r < rows; ++r)
+      with_level([&](auto) {
+        const RowAt<Dim>& at = nodes_[r];
+        const RowForce<Dim> impulse = slopes_.force(at, pressure_);
+        for (int a = 0; a < Dim; ++a)
+          for (int k = 0; k < at.count; ++k)
+            velocity_[a][at.begin + k] = lightness_[a][at.begin + k] * (impulse[a][k] + by_parts_[a][at.begin + k]);
+      });
+  }
+
+  /// g . velocity_.
+  Eigen::VectorXd flows() const {
+    Eigen::VectorXd out(compressibility_.size());
+    const auto rows = std::ssize(cells_);
+#pragma omp parallel for schedule(static) if (out.size() >= pressures_worth_threads)
+    for (std::ptrdiff_t r = 0; r < rows; ++r)
+      with_level([&](auto) {
+        const auto& [at, unknown, share] = cells_[r];
+        const CellRow<Dim> flow = slopes_.flow(at, velocity_);
+        for (int k = 0; k < at.count; ++k) out[unknown + k] = share[k] * flow[k];
+      });
+    for (std::size_t r = 0; r < parts_.size(); ++r) {
+      double sum = 0;
+      for (const auto& [node, g] : parts_[r])
+        for (int a = 0; a < Dim; ++a) sum += g[a] * velocity_[a][node];
+      out[first_part() + r] = sum;
     }
+    return out;
   }
 
-  void transpose() {
-    of_node_.begin.assign(nodes_.size() + 1, 0);
-    for (const SlopeAt<Dim>& entry : of_pressure_.entries) ++of_node_.begin[entry.at + 1];
-    for (std::size_t n = 0; n < nodes_.size(); ++n) of_node_.begin[n + 1] += of_node_.begin[n];
-    of_node_.entries.resize(of_pressure_.entries.size());
-    std::vector<std::size_t> next(of_node_.begin.begin(), of_node_.begin.end() - 1);
-    for (int r = 0; r < of_pressure_.rows(); ++r)
-      for (std::size_t k = of_pressure_.begin[r]; k < of_pressure_.begin[r + 1]; ++k)
-        of_node_.entries[next[of_pressure_.entries[k].at]++] = {r, of_pressure_.entries[k].g};
+  Eigen::Index first_part() const { return compressibility_.size() - std::ssize(parts_); }
+
+  void for_each_node(auto&& f) const {
+    for (const RowAt<Dim>& at : nodes_)
+      for (int node = at.begin; node < at.begin + at.count; ++node) f(node);
   }
 
-  double flow(int r, const std::vector<std::array<double, Dim>>& velocity) const {
-    double sum = 0;
-    for (std::size_t k = of_pressure_.begin[r]; k < of_pressure_.begin[r + 1]; ++k) {
-      const auto& [node, g] = of_pressure_.entries[k];
-      for (int a = 0; a < Dim; ++a) sum += g[a] * velocity[node][a];
-    }
-    return sum;
-  }
-
-  SlopesByRow<Dim> of_pressure_, of_node_;
-  std::vector<int> nodes_;                          ///< flat indices
-  std::vector<std::array<double, Dim>> lightness_;  ///< by node
-  Eigen::VectorXd compressibility_;                 ///< V_c^2 / (K_c V_c dt^2)
+  CellSlopes<Dim> slopes_;
+  std::vector<PressedCells<Dim>> cells_;
+  std::vector<std::vector<NodeVector<Dim>>> parts_;
+  std::vector<RowAt<Dim>> nodes_;
+  Eigen::VectorXd compressibility_, diagonal_;  ///< V_c^2 / (K_c V_c dt^2)
+  NodeVectors<Dim> lightness_;                  ///< 1 / m
+  NodeVectors<Dim> velocity_, by_parts_;        // of the product that is being computed
+  std::vector<double> pressure_;                // the same
 };
 
 /// Conjugate gradients with the diagonal as preconditioner.
 template <int Dim>
-Eigen::VectorXd solve(const PoreSystem<Dim>& system, const Eigen::VectorXd& rates) {
+Eigen::VectorXd solve(PoreSystem<Dim>& system, const Eigen::VectorXd& rates) {
   constexpr double tolerance = 1e-6;  // of the residual
   constexpr int most_iterations = 2000;
   const Eigen::VectorXd inverse = system.diagonal().cwiseInverse();
@@ -262,14 +266,9 @@ bool any_open_pores(const Grid<Dim>& grid) {
 
 template <int Dim>
 void press_cells(Grid<Dim>& grid, double dt) {
-  const PoreSystem<Dim> system(grid, dt);
+  PoreSystem<Dim> system(grid, dt);
   if (system.empty()) return;
-  const std::vector<std::array<double, Dim>> changes = system.changes(solve(system, system.rates(grid)));
-  for (std::size_t n = 0; n < changes.size(); ++n)
-    for (int a = 0; a < Dim; ++a) {
-      grid.velocity[system.nodes()[n]][a] += changes[n][a];
-      if (!grid.velocity_change.empty()) grid.velocity_change[system.nodes()[n]][a] += changes[n][a];
-    }
+  system.move_nodes(solve(system, system.rates(grid)), grid);
   impose_wall_velocity(grid);
 }
 

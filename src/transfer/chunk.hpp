@@ -7,8 +7,8 @@
 
 #include <type_traits>
 
+#include "base/levels.hpp"
 #include "grid/bases.hpp"
-#include "levels.hpp"
 
 // Valgrind 3.19 does not know the store form of vmovq between registers, which the assembler prefers for being a byte
 // shorter, and ends the program. An instruction macro asks for the load form.

@@ -7,7 +7,7 @@
 
 #include "support/golden.hpp"
 #include "support/program.hpp"
-#include "transfer/levels.hpp"
+#include "base/levels.hpp"
 
 using namespace geodrop::test;
 
