@@ -65,9 +65,9 @@ void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const 
 }
 
 System system_of(const SparseRows& E, const Drag& drag, const Eigen::VectorXd& velocity_rate) {
-  if (drag.empty()) return {times_transpose(E, E), E * velocity_rate};
+  if (drag.empty()) return {symmetric_product(E, E), E * velocity_rate};
   const SparseRows dragged = times(E, drag);
-  return {times_transpose(dragged, E), dragged * velocity_rate};
+  return {symmetric_product(dragged, E), dragged * velocity_rate};
 }
 
 template std::vector<RowsOfContact<2>> rows_of(const Grids<2>&, const std::vector<Contact<2>>&);

@@ -255,16 +255,16 @@ TEST_CASE("Pressures change velocities by dt p b / m, in opposite senses, and wh
   CHECK(box.inside().velocity_change[box.flat(5, 5)][0] == near(-0.01 * 2e3 * 0.5 / 4e3, 1e-14));
 }
 
-TEST_CASE("A B^T, entry by entry") {
-  SparseRows A(2, 4), B(3, 4);
+TEST_CASE("A symmetric product A B^T, entry by entry") {
+  SparseRows A(2, 4), B(3, 4), K(4, 4);
   A.insert(0, 0) = 2, A.insert(0, 3) = -1, A.insert(1, 1) = 4;
-  B.insert(0, 3) = 5, B.insert(1, 0) = 3, B.insert(1, 1) = 0.5, B.insert(2, 2) = 7;
-  A.makeCompressed(), B.makeCompressed();
-  const Eigen::MatrixXd product = times_transpose(A, B);
-  const Eigen::MatrixXd expected{{-5, 6, 0}, {0, 2, 0}};
-  CHECK((product - expected).norm() < 1e-15);
-  const Eigen::MatrixXd square = times_transpose(A, A), both{{5, 0}, {0, 16}};
+  B.insert(0, 3) = 5, B.insert(1, 0) = 3, B.insert(1, 1) = 0.5, B.insert(1, 3) = -1, B.insert(2, 2) = 7;
+  for (int a = 0; a < 4; ++a) K.insert(a, a) = 2 + a;
+  K.insert(2, 3) = K.insert(3, 2) = 0.5;
+  A.makeCompressed(), B.makeCompressed(), K.makeCompressed();
+  const Eigen::MatrixXd square = symmetric_product(A, A), both{{5, 0}, {0, 16}};
   CHECK((square - both).norm() < 1e-15);
-  const SparseRows C = B * A.transpose();
-  CHECK((Eigen::MatrixXd(times_transpose(C, C)) - Eigen::MatrixXd(C * C.transpose())).norm() < 1e-13);
+  const Eigen::MatrixXd product = symmetric_product(SparseRows(B * K), B);
+  const Eigen::MatrixXd expected{{125, -25, 17.5}, {-25, 23.75, -3.5}, {17.5, -3.5, 196}};
+  CHECK((product - expected).norm() < 1e-13);
 }
