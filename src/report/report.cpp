@@ -275,7 +275,11 @@ std::vector<CaptionedPicture> pictures_of(const Snapshot& snapshot, const Scene&
   const auto written = [&](const char* name) { return std::ranges::find(fields, name) != fields.end(); };
   std::vector<CaptionedPicture> pictures;
   const auto add = [&](const char* field, const std::optional<Extent>& window, const std::string& caption) {
-    pictures.push_back({{field, "tension", window, {}, tensions, {}}, caption});
+    CaptionedPicture& picture = pictures.emplace_back();
+    picture.options.field = field;
+    picture.options.window = window;
+    picture.options.tensions = tensions;
+    picture.caption = caption;
   };
   const bool has_particles = !snapshot.particles.points.empty();
   if (has_particles) add("layers", {}, "bodies and layers");
