@@ -266,15 +266,31 @@ void fill_with_grains(Grid<2>& water) {
   });
 }
 
+/// How often a cell counts at a node: with its image beyond a wall that the node, but not the cell, is on.
+template <int Dim>
+int with_images(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, int node) {
+  const std::array<int, Dim> place = stored_cell(layout, node);
+  int counts = 1;
+  for (int a = 0; a < Dim; ++a) {
+    const int at = place[a] - GridLayout<Dim>::pad;
+    if (!layout.periodic(a) && (at == 0 || at == layout.cells[a]) && cell[a] != place[a]) counts *= 2;
+  }
+  return counts;
+}
+
 }  // namespace
 
 template <int Dim>
 void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
   const GridLayout<Dim>& layout = grids.front().layout;
+  bool at_walls = false;
   const auto fill = [&](Grid<Dim>& grid, int flat, const SplineVolumes<Dim>& value) {
+    const std::array<int, Dim> cell = stored_cell(layout, flat);
+    const bool far = far_from_walls<Dim>(layout, 1, cell);
+    at_walls = at_walls || !far;
     for (int n = 0; n < nodes_around<Dim>; ++n) {
-      const int node = node_around(layout, flat, n);
-      grid.velocity[node][3] += value[n] / spline_size(layout, node);
+      const int node = node_around(layout, flat, n), counts = far ? 1 : with_images<Dim>(layout, cell, node);
+      grid.velocity[node][3] += counts * value[n] / spline_size(layout, node);
     }
   };
   for (Grid<Dim>& grid : grids)
@@ -288,6 +304,8 @@ void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
         fill(inside ? grids.front() : pressed_field(membrane, grids), flat, whole_value(spans_of(layout, flat)));
       });
   }
+  for (Grid<Dim>& grid : grids)  // nothing shifts through a wall: the ratio beyond it is its mirror image
+    if (at_walls) impose_wall_velocity(grid);
 }
 
 template <int Dim>

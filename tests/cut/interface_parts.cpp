@@ -253,6 +253,26 @@ TEST_CASE("The other side counts as full: its area in all, 1 at nodes that see n
   CHECK(box.around().velocity[box.flat(8, 8)][3] == 0);
 }
 
+TEST_CASE("Beside a wall the other side counts with its mirror image, so that nothing shifts through the wall") {
+  SharpBox box({.left = 0.75, .right = 5.8, .bottom = 0.8, .top = 6.25});
+  box.set_mass(box.around(), 1000);
+  box.set_mass(box.inside(), 1000);
+  box.fill_cells();
+  share_interface_pressure(box.state, box.grids);
+  for (Grid<2>& grid : box.grids) std::fill(grid.velocity.begin(), grid.velocity.end(), Vec4{});
+  fill_other_sides(box.state, box.grids);
+  const auto fill = [&](int i, int j) { return box.around().velocity[box.flat(i, j)][3]; };
+  // The spline of a node on a wall over what is farther than s from it, on both sides: 2 (3/2 - s)^3 / 6.
+  const auto beyond = [](double s) { return std::pow(1.5 - s, 3) / 3; };
+  CHECK(fill(0, 4) == near(beyond(0.75), 1e-12));
+  CHECK(fill(4, 0) == near(beyond(0.8), 1e-12));
+  CHECK(fill(0, 0) == near(beyond(0.75) * beyond(0.8), 1e-11));
+  for (int k = 0; k < 6; ++k) {
+    CHECK(fill(-1, k) == fill(1, k));
+    CHECK(fill(k, -1) == fill(k, 1));
+  }
+}
+
 TEST_CASE("The force of a part replaces that of its whole cell, pressure times the difference of their integrals") {
   SharpBox box;
   Grid<2>& grid = box.inside();
