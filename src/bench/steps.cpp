@@ -1,9 +1,9 @@
 #include "steps.hpp"
 
+#include "base/levels.hpp"
 #include "base/nearest_name.hpp"
 #include "counted_steps.hpp"
 #include "machine.hpp"
-#include "base/levels.hpp"
 
 #include <geodrop/reader/scene_reader.hpp>
 

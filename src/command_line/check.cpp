@@ -13,6 +13,7 @@
 
 #include "asked_scene.hpp"
 #include "base/json.hpp"
+#include "base/levels.hpp"
 #include "doubts/doubts.hpp"
 #include "exit_codes.hpp"
 #include "files/build_identity.hpp"
@@ -20,7 +21,6 @@
 #include "scene_file.hpp"
 #include "step/effort.hpp"
 #include "threads.hpp"
-#include "base/levels.hpp"
 
 namespace geodrop {
 namespace {

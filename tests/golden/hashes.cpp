@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/levels.hpp"
 #include "support/golden.hpp"
 #include "support/program.hpp"
-#include "base/levels.hpp"
 
 using namespace geodrop::test;
 

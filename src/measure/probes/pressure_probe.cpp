@@ -34,8 +34,7 @@ PressureSpread pressure_spread(const Scene& scene, const HydrostaticProbeSpec& p
   for (std::size_t p = 0; p < body.size(); ++p) {
     const Vec<Dim> x = vector_at(body.x, p);
     const double depth = probe.still.surface - x[vertical_axis<Dim>];
-    const double error =
-        std::abs(mean_pressure(body, p) - still_pressure(fluid, gravity, depth));
+    const double error = std::abs(mean_pressure(body, p) - still_pressure(fluid, gravity, depth));
     const bool tip = std::any_of(tips.begin(), tips.end(), [&](const Vec<Dim>& t) { return (x - t).norm() < near; });
     (tip ? at_tips : elsewhere).push_back(error);
   }
