@@ -1,5 +1,6 @@
 #include "cell_pressure.hpp"
 
+#include "cell_slopes.hpp"
 #include "neighbourhood.hpp"
 #include "seams.hpp"
 
@@ -26,34 +27,6 @@ void add_interior_force(const Grid<Dim>& grid, int begin, int count, RowForce<Di
   });
 }
 
-/// Rows of a graded grid, walls included: what force_near_wall sums, first over y and z, whose tables are the same for
-/// the whole row, then over x.
-template <int Dim>
-void add_graded_force(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& node,
-                      RowForce<Dim>& force) {
-  std::array<WideRow<Dim>, Dim> sums{};
-  const auto entry = [&](int axis, int a, const auto& table) { return table[node[axis] + a - 1][2 - a]; };
-  for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
-    const double* const p = grid.cell_pressure.data() + begin + offset - 1;
-    const double value_y = entry(1, y, grid.integrals[1].value), slope_y = entry(1, y, grid.integrals[1].slope);
-    const double value_z = Dim == 3 ? entry(Dim - 1, z, grid.integrals[Dim - 1].value) : 1.0;
-    const double slope_z = Dim == 3 ? entry(Dim - 1, z, grid.integrals[Dim - 1].slope) : 0.0;
-    for (int k = 0; k < count + 2; ++k) {
-      sums[0][k] += value_y * value_z * p[k];
-      sums[1][k] += slope_y * value_z * p[k];
-      if constexpr (Dim == 3) sums[2][k] += value_y * slope_z * p[k];
-    }
-  });
-  const auto* const value = grid.integrals[0].value.data() + node[0] - 1;
-  const auto* const slope = grid.integrals[0].slope.data() + node[0] - 1;
-  for (int k = 0; k < count; ++k)
-    for (int a = 0; a < 3; ++a) {
-      force[0][k] += slope[k + a][2 - a] * sums[0][k + a];
-      for (int component = 1; component < Dim; ++component)
-        force[component][k] += value[k + a][2 - a] * sums[component][k + a];
-    }
-}
-
 template <int Dim>
 std::array<double, Dim> force_near_wall(const Grid<Dim>& grid, const std::array<int, Dim>& node, int flat) {
   std::array<double, Dim> force{};
@@ -71,8 +44,8 @@ std::array<double, Dim> force_near_wall(const Grid<Dim>& grid, const std::array<
 }
 
 /// sum_i v_i . int_c grad N_i for cells along x, h = 1.
-template <int Dim, std::size_t N>
-void add_interior_flux(const Grid<Dim>& grid, int begin, int count, std::array<double, N>& flux) {
+template <int Dim>
+void add_interior_flux(const Grid<Dim>& grid, int begin, int count, CellRow<Dim>& flux) {
   const auto& interior_value = grid.interior_value;
   for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
     const Vec4* const v = grid.velocity.data() + begin + offset;
@@ -86,28 +59,6 @@ void add_interior_flux(const Grid<Dim>& grid, int begin, int count, std::array<d
       flux[k] += x_weight * (v[k + 1][0] - v[k - 1][0]) + y_weight * mean(1) + (Dim == 3 ? z_weight * mean(2) : 0.0);
     }
   });
-}
-
-/// As add_graded_force, its adjoint.
-template <int Dim, std::size_t N>
-void add_graded_flux(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell,
-                     std::array<double, N>& flux) {
-  WideRow<Dim> along{}, across{};  // velocities along x, to be multiplied with slopes; the others, with values
-  for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
-    const Vec4* const v = grid.velocity.data() + begin + offset - 1;
-    const double value_y = grid.integrals[1].value[cell[1]][y], slope_y = grid.integrals[1].slope[cell[1]][y];
-    const double value_z = Dim == 3 ? grid.integrals[Dim - 1].value[cell[Dim - 1]][z] : 1.0;
-    const double slope_z = Dim == 3 ? grid.integrals[Dim - 1].slope[cell[Dim - 1]][z] : 0.0;
-    for (int k = 0; k < count + 2; ++k) {
-      along[k] += value_y * value_z * v[k][0];
-      across[k] += slope_y * value_z * v[k][1];
-      if constexpr (Dim == 3) across[k] += value_y * slope_z * v[k][2];
-    }
-  });
-  const auto* const value = grid.integrals[0].value.data() + cell[0];
-  const auto* const slope = grid.integrals[0].slope.data() + cell[0];
-  for (int k = 0; k < count; ++k)
-    for (int a = 0; a < 3; ++a) flux[k] += slope[k][a] * along[k + a] + value[k][a] * across[k + a];
 }
 
 template <int Dim>
@@ -126,7 +77,7 @@ template <int Dim>
 RowForce<Dim> cell_pressure_force(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& node) {
   RowForce<Dim> force{};
   if (grid.layout.graded()) {
-    add_graded_force<Dim>(grid, begin, count, node, force);
+    force = CellSlopes<Dim>(grid.layout, grid.integrals).force({begin, count, node}, grid.cell_pressure);
   } else if (far_from_walls<Dim>(grid.layout, count, node)) {
     add_interior_force<Dim>(grid, begin, count, force);
   } else {
@@ -146,19 +97,20 @@ template <int Dim>
 void cell_volume_rate(Grid<Dim>& grid) {
   const double scale = face_measure(grid.layout);
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
-    RowForce<Dim> flux{};  // only its first component is used
+    CellRow<Dim> flux{};
     if (grid.layout.graded()) {
-      add_graded_flux<Dim>(grid, begin, count, cell, flux[0]);
+      const auto velocity = [&](int component, int node) { return grid.velocity[node][component]; };
+      flux = CellSlopes<Dim>(grid.layout, grid.integrals).flow({begin, count, cell}, velocity);
     } else if (far_from_walls<Dim>(grid.layout, count, cell)) {
-      add_interior_flux<Dim>(grid, begin, count, flux[0]);
+      add_interior_flux<Dim>(grid, begin, count, flux);
     } else {
-      for (int k = 0; k < count; ++k, ++cell[0]) flux[0][k] = flux_near_wall<Dim>(grid, cell, begin + k);
+      for (int k = 0; k < count; ++k, ++cell[0]) flux[k] = flux_near_wall<Dim>(grid, cell, begin + k);
     }
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;
       const bool filled = carries_pressure(grid, flat);
       const double share = grid.volume_rate[flat];  // of soften_light_cells
-      grid.volume_rate[flat] = filled ? share * scale * flux[0][k] / grid.cell_volume[flat] : 0.0;
+      grid.volume_rate[flat] = filled ? share * scale * flux[k] / grid.cell_volume[flat] : 0.0;
     }
   });
   for_each_seam(grid.layout, [&](int axis) { copy_over_seam(grid.layout, axis, grid.volume_rate); });

@@ -1,4 +1,4 @@
-// Slopes of whole cells as an operator, for systems of equations: from vectors at nodes to cells, and back.
+// Slopes of whole cells as an operator: from vectors at nodes to cells, and back.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
@@ -22,44 +22,50 @@ struct RowAt {
   std::array<int, Dim> first;  ///< stored coordinates
 };
 
-/// g_ic = int_c grad N_i of whole cells (Grid::integrals, h = 1), or the squares of its components. It is a product
-/// over the axes: first come sums over the rows around a row, then those along it.
+template <int Dim>
+using CellIntegrals = std::array<typename Grid<Dim>::AxisIntegrals, Dim>;
+
+/// The squares of int_c N_i and int_c N_i' along each axis.
+template <int Dim>
+CellIntegrals<Dim> squares_of(CellIntegrals<Dim> integrals) {
+  for (auto& axis : integrals)
+    for (int a = 0; a < 3; ++a)
+      for (auto* const table : {&axis.value[a], &axis.slope[a]})
+        for (double& entry : *table) entry *= entry;
+  return integrals;
+}
+
+/// g_ic = int_c grad N_i of whole cells (Grid::integrals, h = 1, walls included), or with squares_of the squares of its
+/// components. It is a product over the axes: first come sums over the rows around a row, then those along it.
 template <int Dim>
 class CellSlopes {
  public:
-  enum class Of { slopes, squares };
+  CellSlopes(const GridLayout<Dim>& layout, const CellIntegrals<Dim>& integrals)
+      : layout_(layout), integrals_(integrals) {}
 
-  CellSlopes(const Grid<Dim>& grid, Of of) : layout_(grid.layout) {
-    const auto entry = [&](double x) { return of == Of::squares ? x * x : x; };
-    for (int axis = 0; axis < Dim; ++axis)
-      for (int a = 0; a < 3; ++a) {
-        for (const auto& value : grid.integrals[axis].value) value_[axis][a].push_back(entry(value[a]));
-        for (const auto& slope : grid.integrals[axis].slope) slope_[axis][a].push_back(entry(slope[a]));
-      }
-  }
-
-  /// sum_i v_i . g_ic of a row of cells.
-  CellRow<Dim> flow(const RowAt<Dim>& cells, const NodeVectors<Dim>& v) const {
+  /// sum_i v_i . g_ic of a row of cells; v(component, node).
+  CellRow<Dim> flow(const RowAt<Dim>& cells, const auto& v) const {
     WideRow<Dim> along{}, across{};  // components along x, to be multiplied with slopes; the others, with values
     for_rows_around<Dim>(layout_, [&](int offset, int y, int z) {
       const std::array<double, Dim> w = weights(cells.first, {0, y, z});
       const int from = cells.begin + offset - 1;
       for (int k = 0; k < cells.count + 2; ++k) {
-        along[k] += w[0] * v[0][from + k];
-        for (int component = 1; component < Dim; ++component) across[k] += w[component] * v[component][from + k];
+        along[k] += w[0] * v(0, from + k);
+        for (int component = 1; component < Dim; ++component) across[k] += w[component] * v(component, from + k);
       }
     });
     CellRow<Dim> sum{};
     for (int a = 0; a < 3; ++a) {
-      const double* const value = value_[0][a].data() + cells.first[0];
-      const double* const slope = slope_[0][a].data() + cells.first[0];
+      const double* const value = integrals_[0].value[a].data() + cells.first[0];
+      const double* const slope = integrals_[0].slope[a].data() + cells.first[0];
       for (int k = 0; k < cells.count; ++k) sum[k] += slope[k] * along[k + a] + value[k] * across[k + a];
     }
     return sum;
   }
 
-  /// sum_c p_c g_ic of a row of nodes. The cell at offset a - 1 from a node sees it at 1 - a, as its entry 2 - a.
-  RowForce<Dim> force(const RowAt<Dim>& nodes, const std::vector<double>& p) const {
+  /// sum_c p_c g_ic of a row of nodes; p: an array. The cell at offset a - 1 from a node sees it at 1 - a, as its entry
+  /// 2 - a.
+  RowForce<Dim> force(const RowAt<Dim>& nodes, const auto& p) const {
     std::array<WideRow<Dim>, Dim> sums{};
     for_rows_around<Dim>(layout_, [&](int offset, int y, int z) {
       std::array<int, Dim> cell = nodes.first;
@@ -73,7 +79,7 @@ class CellSlopes {
     RowForce<Dim> force{};
     for (int component = 0; component < Dim; ++component)
       for (int a = 0; a < 3; ++a) {
-        const Table& table = component == 0 ? slope_[0] : value_[0];
+        const auto& table = component == 0 ? integrals_[0].slope : integrals_[0].value;
         const double* const entry = table[2 - a].data() + nodes.first[0] + a - 1;
         for (int k = 0; k < nodes.count; ++k) force[component][k] += entry[k] * sums[component][k + a];
       }
@@ -81,21 +87,21 @@ class CellSlopes {
   }
 
  private:
-  using Table = std::array<std::vector<double>, 3>;  // of entry a, by stored coordinate
-
   /// For each component, what the axes but x multiply it with, at entries a of a row of cells.
   std::array<double, Dim> weights(const std::array<int, Dim>& cell, const std::array<int, 3>& a) const {
     std::array<double, Dim> weight;
     for (int component = 0; component < Dim; ++component) {
       weight[component] = 1;
-      for (int axis = 1; axis < Dim; ++axis)
-        weight[component] *= (component == axis ? slope_ : value_)[axis][a[axis]][cell[axis]];
+      for (int axis = 1; axis < Dim; ++axis) {
+        const auto& tables = integrals_[axis];
+        weight[component] *= (component == axis ? tables.slope : tables.value)[a[axis]][cell[axis]];
+      }
     }
     return weight;
   }
 
   const GridLayout<Dim>& layout_;
-  std::array<Table, Dim> value_, slope_;
+  const CellIntegrals<Dim>& integrals_;
 };
 
 }  // namespace geodrop

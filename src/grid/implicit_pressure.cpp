@@ -58,6 +58,11 @@ std::vector<NodeVector<Dim>> slopes_of_parts(const Grid<Dim>& grid, auto first, 
   return carried;
 }
 
+template <int Dim>
+auto components_of(const NodeVectors<Dim>& v) {
+  return [&v](int component, int node) { return v[component][node]; };
+}
+
 /// Smaller systems are not worth waking threads for: a product with 2000 pressures takes 5 us.
 constexpr int pressures_worth_threads = 20000;
 
@@ -65,7 +70,7 @@ constexpr int pressures_worth_threads = 20000;
 template <int Dim>
 class PoreSystem {
  public:
-  PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(grid, CellSlopes<Dim>::Of::slopes) {
+  PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(grid.layout, grid.integrals) {
     std::vector<double> compressibility;
     const auto stores = [&](double volume, double modulus) { return volume * volume / (modulus * dt * dt); };
     find_cells(grid, stores, compressibility);
@@ -155,10 +160,11 @@ class PoreSystem {
   }
 
   void find_diagonal(const Grid<Dim>& grid) {
-    const CellSlopes<Dim> squares(grid, CellSlopes<Dim>::Of::squares);
+    const CellIntegrals<Dim> entries = squares_of<Dim>(grid.integrals);
+    const CellSlopes<Dim> squares(grid.layout, entries);
     diagonal_ = compressibility_;
     for (const auto& [at, unknown, share] : cells_) {
-      const CellRow<Dim> moved = squares.flow(at, lightness_);
+      const CellRow<Dim> moved = squares.flow(at, components_of<Dim>(lightness_));
       for (int k = 0; k < at.count; ++k) diagonal_[unknown + k] += share[k] * share[k] * moved[k];
     }
     for (std::size_t r = 0; r < parts_.size(); ++r)
@@ -196,7 +202,7 @@ class PoreSystem {
     for (std::ptrdiff_t r = 0; r < rows; ++r)
       with_level([&](auto) {
         const auto& [at, unknown, share] = cells_[r];
-        const CellRow<Dim> flow = slopes_.flow(at, velocity_);
+        const CellRow<Dim> flow = slopes_.flow(at, components_of<Dim>(velocity_));
         for (int k = 0; k < at.count; ++k) out[unknown + k] = share[k] * flow[k];
       });
     for (std::size_t r = 0; r < parts_.size(); ++r) {
