@@ -9,17 +9,16 @@
 namespace geodrop {
 namespace {
 
-/// K + 4G/3 [Pa], of laterally confined compression.
-double confined_modulus(double bulk, double shear) { return bulk + 4.0 / 3.0 * shear; }
-
-double wave_modulus(const Newtonian& fluid) { return fluid.bulk_modulus; }
-double wave_modulus(const NeoHookean& solid) { return solid.lame_lambda + 2 * solid.shear_modulus; }
+ElasticModuli elastic_moduli(const Newtonian& fluid) { return {fluid.bulk_modulus, 0}; }
+ElasticModuli elastic_moduli(const NeoHookean& solid) {
+  return {solid.lame_lambda + 2.0 / 3.0 * solid.shear_modulus, solid.shear_modulus};
+}
 /// Of a skeleton, and of the water in its pores.
 template <class Solid>
-double wave_modulus(const Solid& solid) {
-  const double skeleton = confined_modulus(solid.bulk_modulus, solid.shear_modulus);
-  if constexpr (requires { solid.pore_stiffness; }) return skeleton + solid.pore_stiffness;
-  return skeleton;
+ElasticModuli elastic_moduli(const Solid& solid) {
+  double bulk = solid.bulk_modulus;
+  if constexpr (requires { solid.pore_stiffness; }) bulk += solid.pore_stiffness;
+  return {bulk, solid.shear_modulus};
 }
 
 }  // namespace
@@ -51,13 +50,16 @@ double reference_density(const Material& material) {
   return std::visit([](const auto& law) { return law.density; }, material);
 }
 
-double wave_speed(const Material& material) {
-  return std::visit([](const auto& law) { return std::sqrt(wave_modulus(law) / law.density); }, material);
+ElasticModuli elastic_moduli(const Material& material) {
+  return std::visit([](const auto& law) { return elastic_moduli(law); }, material);
 }
 
 double wave_modulus(const Material& material) {
-  return std::visit([](const auto& law) { return wave_modulus(law); }, material);
+  const auto [bulk, shear] = elastic_moduli(material);
+  return bulk + 4.0 / 3.0 * shear;
 }
+
+double wave_speed(const Material& material) { return std::sqrt(wave_modulus(material) / reference_density(material)); }
 
 double pore_stiffness(const Material& material) {
   const MohrCoulomb* const soil = soil_law(material);
@@ -67,11 +69,7 @@ double pore_stiffness(const Material& material) {
 double impedance(const Material& material) { return reference_density(material) * wave_speed(material); }
 
 double shear_wave_speed(const Material& material) {
-  const auto shear_modulus = [](const auto& law) {
-    if constexpr (requires { law.shear_modulus; }) return law.shear_modulus;
-    return 0.0;
-  };
-  return std::visit([&](const auto& law) { return std::sqrt(shear_modulus(law) / law.density); }, material);
+  return std::sqrt(elastic_moduli(material).shear / reference_density(material));
 }
 
 double fluid_pressure(const Newtonian& fluid, double J) {

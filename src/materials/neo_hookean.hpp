@@ -72,11 +72,10 @@ double neo_hookean_energy(const NeoHookean& law, const Gradient<Dim, double>& F,
          0.5 * law.lame_lambda * volumetric * volumetric;
 }
 
-/// Stiffness [Pa] of compression waves at the present strain, per reference density: rho0 c^2 along a principal axis n
-/// is lambda (1 - ln J) + mu (1 + b_n). Here b_n is bounded by the row sums of |b| (Gershgorin), exact for stretch
-/// along the axes of the grid.
+/// At least the largest principal value of b = F F^T, and 1: row sums of |b| (Gershgorin), exact for stretch along the
+/// axes of the grid.
 template <int Dim>
-double neo_hookean_wave_modulus(const NeoHookean& law, const Gradient<Dim, double>& F, double J) {
+double largest_stretch_squared(const Gradient<Dim, double>& F) {
   const Stress<Dim, double> b = left_cauchy_green<Dim, double>(F);
   double stretch = 1;
   for (int a = 0; a < Dim; ++a) {
@@ -87,7 +86,22 @@ double neo_hookean_wave_modulus(const NeoHookean& law, const Gradient<Dim, doubl
       row += a == 0 ? abs(b[3]) + abs(b[5]) : a == 1 ? abs(b[3]) + abs(b[4]) : abs(b[4]) + abs(b[5]);
     stretch = max(stretch, row);
   }
-  return law.lame_lambda * (1 - log(J)) + law.shear_modulus * (1 + stretch);
+  return stretch;
+}
+
+/// Stiffness [Pa] of compression waves at the present strain, per reference density: rho0 c^2 along a principal axis n
+/// is lambda (1 - ln J) + mu (1 + b_n).
+template <int Dim>
+double neo_hookean_wave_modulus(const NeoHookean& law, const Gradient<Dim, double>& F, double J) {
+  return law.lame_lambda * (1 - log(J)) + law.shear_modulus * (1 + largest_stretch_squared<Dim>(F));
+}
+
+/// D_max / d of step/stiffest_mode.hpp [Pa]: the second variation of the energy for a gradient L of increments of the
+/// displacement is lambda (tr L)^2 + (mu - lambda ln J) tr(L L) + mu tr(L b L^T) per reference volume.
+template <int Dim>
+double neo_hookean_stiffest_mode(const NeoHookean& law, const Gradient<Dim, double>& F, double J) {
+  const double shear = law.shear_modulus, turning = abs(shear - law.lame_lambda * log(J));
+  return law.lame_lambda + (turning + shear * largest_stretch_squared<Dim>(F)) / Dim;
 }
 
 /// J is det F: the volume rate of the cell has no part in it.

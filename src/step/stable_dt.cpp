@@ -14,13 +14,18 @@
 #include "materials/pore_gas.hpp"
 #include "materials/strain.hpp"
 #include "pores/pores.hpp"
+#include "stiffest_mode.hpp"
 
 namespace geodrop {
 namespace {
 
-/// Omega^2 <= d c^2 / h^2 where pressure belongs to cells, as that of water in pores does, and 6 d c^2 / h^2 where it
-/// belongs to particles.
+/// Share of rho c^2 that counts where cells bear the pressure of water in pores: omega^2 <= 1.1 c^2 / h^2 with full cells
+/// in place of the 6 d c^2 / h^2 of particles; 1 / 6 keeps full cells from being softened.
 constexpr double cells_to_particles = 1.0 / 6;
+
+/// That of K where cells bear the mean stress of a solid. Light cells at the edges of a body swing together: a panel of
+/// nu = 0.4999 breaks with 1 / 6, and bears 0.18.
+constexpr double solid_cells_to_particles = 1.0 / 3;
 
 /// Density of the material that a membrane's mass and stiffness share a node with [kg/m3].
 template <int Dim>
@@ -37,9 +42,9 @@ double membrane_speed_squared(const State<Dim>& state, const Membrane<Dim>& memb
   if constexpr (Dim == 2) {
     return membrane.axial_stiffness / beside;
   } else {
-    const double nu = membrane.triangles.poisson_ratio;
-    const double stiffness = std::max(membrane.axial_stiffness / (1 - nu * nu), membrane.triangles.weft_stiffness);
-    return stiffness / std::max(beside, membrane.triangles.mass_per_area);
+    const auto& cloth = membrane.triangles;
+    const double stiffness = std::max(membrane.axial_stiffness / (1 - cloth.poisson_ratio), cloth.weft_stiffness);
+    return stiffness / std::max(beside, cloth.mass_per_area);
   }
 }
 
@@ -52,35 +57,60 @@ double membranes2(const State<Dim>& state, int field, double h) {
   return square;
 }
 
-/// Of soil with gas in its pores, at the largest pore pressure of its particles.
+/// Stiffness of the pore gas at the largest pore pressure of its particles in place of that at the start [Pa].
 template <int Dim>
-double gas_speed_squared(const Body<Dim>& body, const MohrCoulombWithGas& soil) {
+double pore_stiffness_now(const Body<Dim>& body, const MohrCoulombWithGas& soil) {
   const auto n = static_cast<std::ptrdiff_t>(body.size());
   double stiffness = soil.pore_stiffness;
 #pragma omp parallel for schedule(static) reduction(max : stiffness)
   for (std::ptrdiff_t p = 0; p < n; ++p)
     stiffness = std::max(stiffness, gas_pore_stiffness(soil, body.pore_pressure[p], body.J[p]));
-  return (soil.bulk_modulus + 4.0 / 3.0 * soil.shear_modulus + stiffness) / soil.density;
+  return stiffness;
 }
 
-/// Of compression waves [m2/s2]. A neo-Hookean solid stiffens where it is stretched or squeezed, hence the present
-/// strain of every particle counts; a NaN is left to v_max, which shows it a step later.
+/// Moduli that the next step follows explicitly.
 template <int Dim>
-double wave_speed_squared(const Body<Dim>& body) {
-  double c2 = std::pow(wave_speed(body.material), 2);
-  if (!body.implicit_pores.empty()) c2 = explicit_modulus(body) / reference_density(body.material);
-  if (const auto* soil = std::get_if<MohrCoulombWithGas>(&body.material)) return gas_speed_squared(body, *soil);
-  const auto* solid = std::get_if<NeoHookean>(&body.material);
-  if (!solid) return c2;
+ElasticModuli present_moduli(const Body<Dim>& body) {
+  ElasticModuli moduli = elastic_moduli(body.material);
+  if (implicit_pores_now(body)) moduli.bulk -= pore_stiffness(body.material);
+  if (const auto* soil = std::get_if<MohrCoulombWithGas>(&body.material))
+    moduli.bulk += pore_stiffness_now(body, *soil) - soil->pore_stiffness;
+  return moduli;
+}
+
+/// Largest over the particles of a neo-Hookean body, which stiffens where it is stretched or squeezed [Pa]; a NaN is
+/// left to v_max, which shows it a step later.
+template <int Dim>
+double most_strained(const Body<Dim>& body, const auto& modulus_at) {
   const auto n = static_cast<std::ptrdiff_t>(body.size());
   double modulus = 0;
 #pragma omp parallel for schedule(static) reduction(max : modulus)
   for (std::ptrdiff_t p = 0; p < n; ++p) {
-    std::array<double, Dim * Dim> F;
+    Gradient<Dim, double> F;
     for (int c = 0; c < Dim * Dim; ++c) F[c] = body.deformation[c][p];
-    modulus = std::max(modulus, neo_hookean_wave_modulus<Dim>(*solid, F, body.J[p]));
+    modulus = std::max(modulus, modulus_at(F, body.J[p]));
   }
-  return std::max(c2, modulus / solid->density);
+  return modulus;
+}
+
+/// c_eff^2 of a body with the membranes of its field, without the water that flows through it [m2/s2]. Where no bound
+/// of the basis is known, waves and membranes in one sum.
+template <int Dim>
+double speed_squared(const Body<Dim>& body, bool bounded, double membranes) {
+  const double density = reference_density(body.material);
+  if (const auto* solid = std::get_if<NeoHookean>(&body.material)) {
+    const auto modulus = [&](const auto& F, double J) {
+      return bounded ? neo_hookean_stiffest_mode<Dim>(*solid, F, J) : neo_hookean_wave_modulus<Dim>(*solid, F, J);
+    };
+    return most_strained(body, modulus) / density + (bounded ? stiffest_mode<Dim>({0, 0, membranes}) : membranes);
+  }
+  const auto [bulk, shear] = present_moduli(body);
+  // Fluids keep the sum, too: splashing water bears no longer steps (docs/verification.md), and a bag of water at rest
+  // circulates more with them.
+  if (!bounded || shear == 0) return (bulk + 4.0 / 3.0 * shear) / density + membranes;
+  const bool by_cells = body.pressure == PressureSupport::cell;
+  const double of_cells = by_cells ? solid_cells_to_particles * bulk / density : 0;
+  return of_cells + stiffest_mode<Dim>({by_cells ? 0 : bulk / density, shear / density, membranes});
 }
 
 /// The largest [m2/s]. Eddies of a mixing length l mix with at most l sqrt(tau / rho), tau the shear stress of the step
@@ -171,10 +201,13 @@ template <int Dim>
 }  // namespace
 
 StepLimits::StepLimits(const Scene& scene)
-    : courant(scene.solver.courant), end(scene.time.end), pore_speed_squared(geodrop::pore_speed_squared(scene)) {}
+    : courant(scene.solver.courant),
+      end(scene.time.end),
+      bounded(scene.grid.basis == Basis::bspline2 && scene.solver.mass_matrix == MassMatrix::lumped),
+      pore_speed_squared(geodrop::pore_speed_squared(scene)) {}
 
-/// dt = C h / (c_eff + |v|max), c_eff^2 = max of bodies of c^2 + c_pore^2 / 6 + J_m / (rho h), waves in a body and the
-/// membranes of its velocity field in one sum (safe); viscosity: C times h^2 / (2 d nu), the limit of an explicit step
+/// dt = C h / (c_eff + |v|max), c_eff^2 the largest of bodies, each with the membranes of its velocity field (in one
+/// mode: safe) and the water that flows through it; viscosity: C times h^2 / (2 d nu), the limit of an explicit step
 /// (safe); h is the finest cell's.
 template <int Dim>
 double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLayout<Dim>& layout) {
@@ -184,11 +217,14 @@ double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLa
     const Body<Dim>& body = state.bodies[b];
     const auto pores = limits.pore_speed_squared.find(b);
     const double pores2 = pores == limits.pore_speed_squared.end() ? 0 : cells_to_particles * pores->second;
-    c2 = std::max(c2, wave_speed_squared(body) + pores2 + membranes2(state, body.field, layout.finest));
+    const double membranes = membranes2(state, body.field, layout.finest);
+    c2 = std::max(c2, pores2 + speed_squared(body, limits.bounded, membranes));
     nu = std::max(nu, viscosity_in(body));
   }
-  for (const Membrane<Dim>& membrane : state.membranes)  // of a field without bodies, too
-    c2 = std::max(c2, membranes2(state, membrane.field, layout.finest));
+  for (const Membrane<Dim>& membrane : state.membranes) {  // of a field without bodies, too
+    const double alone = membranes2(state, membrane.field, layout.finest);
+    c2 = std::max(c2, limits.bounded ? stiffest_mode<Dim>({0, 0, alone}) : alone);
+  }
   double dt = limits.courant * layout.finest / (std::sqrt(c2) + std::max(state.v_max, surface_speed(state)));
   dt = std::min(dt, contact_dt(state, layout.finest));
   if (nu > 0) dt = std::min(dt, limits.courant * layout.finest * layout.finest / (2 * Dim * nu));

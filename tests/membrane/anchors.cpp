@@ -59,16 +59,19 @@ TEST_CASE("Each step a held node is where it was drawn, a rope obeys its law, an
     if (transfer == "tpic") settings.emplace_back("solver.blend_rate=");
     Stepped<2> run("tests/scenes/hanging.toml", settings);
     const Vec<2> drawn = run.node(0);
+    int taut = 0;
     for (int k = 0; k < 200; ++k) {
       const double missing = run.step();
       CHECK(missing < 1e-9);
       CHECK((run.node(0) - drawn).norm() < 1e-12);
+      const Anchor<2>& rope = run.state.anchors[1];
+      const Vec<2> way = Vec<2>(rope.to.data()) - run.node(1), force(rope.force.data());
+      if (force.norm() < 1000) continue;  // slack, or just taut, where its direction turns within the step
+      ++taut;
+      CHECK(force.norm() * rope.compliance == near(way.norm() - rope.length, 1e-4));
+      CHECK(force.dot(way) == near(force.norm() * way.norm(), 1e-6));
     }
-    const Anchor<2>& rope = run.state.anchors[1];
-    const Vec<2> way = Vec<2>(rope.to.data()) - run.node(1), force(rope.force.data());
-    CHECK(force.norm() > 100);
-    CHECK(force.norm() * rope.compliance == near(way.norm() - rope.length, 1e-4));
-    CHECK(force.dot(way) == near(force.norm() * way.norm(), 1e-6));
+    CHECK(taut > 50);
   }
 }
 

@@ -52,23 +52,45 @@ TEST_CASE("The most strained particle of a neo-Hookean body sets the step") {
   Body<2> body = blank_body<2>(rubber, 3);
   for (int c = 0; c < 4; ++c) body.deformation[c].assign(3, c % 3 == 0 ? 1.0 : 0.0);
   each.state.bodies = {body};
-  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt(4e6 / 1000), 1e-14));
-  // Stretched by 1.5 along y: rho c^2 = lambda (1 - ln 1.5) + mu (1 + 1.5^2).
-  each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 1.5;
-  const double modulus = 2e6 * (1 - std::log(1.5)) + 1e6 * 3.25;
+  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt(3e6 / 1000), 1e-14));  // lambda + mu
+  // Stretched twice along y: d rho c^2 = d lambda + |mu - lambda ln 2| + mu 2^2.
+  each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 2;
+  const double modulus = 2e6 + (2e6 * std::log(2.0) - 1e6 + 4e6) / 2;
   CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt(modulus / 1000), 1e-14));
-  // Squeezed to a half: lambda (1 + ln 2) + 2 mu across.
+  // Squeezed to a half: d lambda + |mu + lambda ln 2| + mu across.
   each.state.bodies[0].deformation[3][1] = each.state.bodies[0].J[1] = 0.5;
-  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt((2e6 * (1 + std::log(2.0)) + 2e6) / 1000), 1e-14));
+  CHECK(each.dt() == near(0.5 * 0.2 / std::sqrt((2e6 + (1e6 + 2e6 * std::log(2.0) + 1e6) / 2) / 1000), 1e-14));
 }
 
-TEST_CASE("The stiffest body sets the step: c^2 = (K + 4/3 G + K_f/n) / rho of an undrained soil") {
+TEST_CASE("The stiffest body sets the step: of an undrained soil G + (K + K_f/n) / 3 where cells bear its pressure") {
   Case each;
   each.state.bodies.push_back(blank_body<2>(MohrCoulomb{2000, 6e6, 3e6, 0, 0.5, 0.8, 0, 0, 40e6}, 1));
-  CHECK(each.dt() == near(0.1 / std::sqrt((6e6 + 4e6 + 40e6) / 2000), 1e-14));
+  each.state.bodies[1].pressure = PressureSupport::cell;
+  CHECK(each.dt() == near(0.1 / std::sqrt((3e6 + 46e6 / 3) / 2000), 1e-14));
+  each.state.bodies[1].pressure = PressureSupport::particle;
+  CHECK(each.dt() == near(0.1 / std::sqrt((46e6 + 1e6) / 2000), 1e-14));  // K + G / 3
+  each.state.bodies[1].implicit_pores = {0};
+  CHECK(each.dt() == near(0.1 / std::sqrt((6e6 + 1e6) / 2000), 1e-14));
 }
 
-TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to c^2") {
+TEST_CASE("Without the bound of splines and lumped masses, waves and membranes add up: K + 4/3 G, J / (rho h)") {
+  Case each;
+  each.state.bodies.push_back(blank_body<2>(MohrCoulomb{2000, 6e6, 3e6, 0, 0.5, 0.8, 0, 0, 40e6}, 1));
+  Membrane<2> membrane;
+  membrane.axial_stiffness = 1e6;
+  each.state.bodies[1].name = membrane.body = "bag";
+  each.state.membranes = {membrane};
+  each.state.bodies[1].pressure = PressureSupport::cell;
+  const double dt = 0.1 / std::sqrt((6e6 + 4e6 + 40e6) / 2000 + 1e6 / (2000 * 0.2));
+  each.scene.solver.mass_matrix = MassMatrix::consistent;
+  CHECK(each.dt() == near(dt, 1e-14));
+  each.scene.solver.mass_matrix = MassMatrix::lumped;
+  CHECK(each.dt() > 1.3 * dt);
+  each.scene.grid.basis = Basis::gimp;
+  CHECK(each.dt() == near(dt, 1e-14));
+}
+
+TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to the stiffness along it") {
   Case each;
   each.state.bodies.push_back(blank_body<2>(MohrCoulomb{1600, 1e6, 6e5, 0, 0.5, 0.8, 0, 0, 0}, 1));
   each.state.bodies[1].name = "bag";
@@ -76,7 +98,14 @@ TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to c^2") {
   membrane.body = "bag";
   membrane.axial_stiffness = 1e6;
   each.state.membranes = {membrane};
-  CHECK(each.dt() == near(0.1 / std::sqrt(2500 + 1e6 / (1600 * 0.2)), 1e-14));
+  const double a = 1e6 / (1600 * 0.2);
+  CHECK(each.dt() == near(0.1 / std::sqrt(2500 + a), 1e-14));  // of the water in the same field
+  each.state.bodies.erase(each.state.bodies.begin());
+  each.state.bodies[0].pressure = PressureSupport::cell;
+  // Of the soil alone, K borne by cells: lambda = -2/3 G.
+  const double G = 6e5 / 1600, lambda = -2.0 / 3 * G;
+  const double both = lambda + 2 * G + a / 2 + std::sqrt(lambda * lambda + a * a / 4);
+  CHECK(each.dt() == near(0.1 / std::sqrt(1e6 / 1600 / 3 + both / 2), 1e-14));
 }
 
 TEST_CASE("Penalties limit the step to h / (c sqrt(2 stiffness)), their damping to h / (2 c damping)") {

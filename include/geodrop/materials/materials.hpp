@@ -264,7 +264,13 @@ double wave_speed(const Material& material);
 /// What elastic compression waves meet at zero strain, rho c [Pa s/m].
 double impedance(const Material& material);
 
-/// rho c^2 of compression waves, pore water included [Pa].
+/// Of small elastic strain, pore water included [Pa].
+struct ElasticModuli {
+  double bulk, shear;  ///< K, G
+};
+ElasticModuli elastic_moduli(const Material& material);
+
+/// rho c^2 of compression waves, pore water included, K + 4/3 G [Pa].
 double wave_modulus(const Material& material);
 
 /// K_f / n of undrained soil, the share of its pore water in wave_modulus; 0 of others [Pa].

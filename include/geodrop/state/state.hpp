@@ -39,10 +39,14 @@ struct BodySettings {
   double unit_weight = 0, weightless_level = 0;  ///< of an enclosed fluid: gamma [N/m3], y0 [m]
 };
 
-/// rho c^2 of a body as the time step has to follow it: without the water in its pores where that acts implicitly [Pa].
+/// Whether the water in the pores of a body acts implicitly in the next step.
+inline bool implicit_pores_now(const BodySettings& body) {
+  return !body.implicit_pores.empty() && !body.implicit_pores.front();
+}
+
+/// rho c^2 of a body as the time step has to follow it [Pa].
 inline double explicit_modulus(const BodySettings& body) {
-  const bool implicit = !body.implicit_pores.empty() && !body.implicit_pores.front();
-  return wave_modulus(body.material) - (implicit ? pore_stiffness(body.material) : 0);
+  return wave_modulus(body.material) - (implicit_pores_now(body) ? pore_stiffness(body.material) : 0);
 }
 
 /// One body: its law and its particles.
