@@ -77,7 +77,7 @@ template <int Dim>
 RowForce<Dim> cell_pressure_force(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& node) {
   RowForce<Dim> force{};
   if (grid.layout.graded()) {
-    force = CellSlopes<Dim>(grid.layout, grid.integrals).force({begin, count, node}, grid.cell_pressure);
+    force = cell_slopes(grid).force({begin, count, node}, grid.cell_pressure);
   } else if (far_from_walls<Dim>(grid.layout, count, node)) {
     add_interior_force<Dim>(grid, begin, count, force);
   } else {
@@ -99,8 +99,8 @@ void cell_volume_rate(Grid<Dim>& grid) {
   for_each_active_real_row(grid, [&](int begin, int count, std::array<int, Dim> cell) {
     CellRow<Dim> flux{};
     if (grid.layout.graded()) {
-      const auto velocity = [&](int component, int node) { return grid.velocity[node][component]; };
-      flux = CellSlopes<Dim>(grid.layout, grid.integrals).flow({begin, count, cell}, velocity);
+      const auto velocity = [v = grid.velocity.data()](int component, int node) { return v[node][component]; };
+      flux = cell_slopes(grid).flow({begin, count, cell}, velocity);
     } else if (far_from_walls<Dim>(grid.layout, count, cell)) {
       add_interior_flux<Dim>(grid, begin, count, flux);
     } else {

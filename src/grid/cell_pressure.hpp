@@ -63,7 +63,7 @@ double slope_integral(const Grid<Dim>& grid, const std::array<int, Dim>& cell, c
   double integral = 1;
   for (int axis = 0; axis < Dim; ++axis) {
     const auto& table = grid.integrals[axis];
-    integral *= (axis == component ? table.slope : table.value)[a[axis]][cell[axis]];
+    integral *= axis == component ? table.slope[cell[axis]][a[axis]] : table.value[cell[axis]][a[axis]];
   }
   return integral;
 }

@@ -58,10 +58,8 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
   const bool graded = layout.graded();
   const CellIntegral none{{0, 0, 0}, {0, 0, 0}};
   const CellIntegral interior = interior_cell(layout.basis);
-  for (int a = 0; a < 3; ++a) {
-    out.value[a].resize(stored);
-    out.slope[a].resize(stored);
-  }
+  out.value.resize(stored);
+  out.slope.resize(stored);
   out.width.assign(stored, 0.0);
   for (int s = 0; s < stored; ++s) {
     const int cell = s - GridLayout<Dim>::pad;
@@ -78,10 +76,8 @@ typename Grid<Dim>::AxisIntegrals axis_integrals(const GridLayout<Dim>& layout, 
       return wall_half ? graded_wall_cell(span, layout.h, at_lower, parity) : graded_cell(span, layout.h);
     };
     const CellIntegral c = in_cell();
-    for (int a = 0; a < 3; ++a) {
-      out.value[a][s] = c.value[a];
-      out.slope[a][s] = c.slope[a];
-    }
+    out.value[s] = c.value;
+    out.slope[s] = c.slope;
     out.width[s] = !inside ? 0.0 : (at_lower || at_upper ? 0.5 : 1.0) * layout.span_width(axis, cell);
   }
   return out;

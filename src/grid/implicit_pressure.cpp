@@ -69,8 +69,12 @@ constexpr int pressures_worth_threads = 20000;
 /// The system for q = dt dp: of cells, row by row, then of parts of cells.
 template <int Dim>
 class PoreSystem {
+  using Columns = IntegralColumns<Dim>;
+  using Slopes = CellSlopes<Dim, Columns>;
+  static Slopes columns_of(const Grid<Dim>& grid, Columns::Of of) { return {grid.layout, Columns(grid, of)}; }
+
  public:
-  PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(grid.layout, grid.integrals) {
+  PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(columns_of(grid, Columns::Of::integrals)) {
     std::vector<double> compressibility;
     const auto stores = [&](double volume, double modulus) { return volume * volume / (modulus * dt * dt); };
     find_cells(grid, stores, compressibility);
@@ -160,8 +164,7 @@ class PoreSystem {
   }
 
   void find_diagonal(const Grid<Dim>& grid) {
-    const CellIntegrals<Dim> entries = squares_of<Dim>(grid.integrals);
-    const CellSlopes<Dim> squares(grid.layout, entries);
+    const Slopes squares = columns_of(grid, Columns::Of::squares);
     diagonal_ = compressibility_;
     for (const auto& [at, unknown, share] : cells_) {
       const CellRow<Dim> moved = squares.flow(at, components_of<Dim>(lightness_));
@@ -221,7 +224,7 @@ class PoreSystem {
       for (int node = at.begin; node < at.begin + at.count; ++node) f(node);
   }
 
-  CellSlopes<Dim> slopes_;
+  Slopes slopes_;
   std::vector<PressedCells<Dim>> cells_;
   std::vector<std::vector<NodeVector<Dim>>> parts_;
   std::vector<RowAt<Dim>> nodes_;

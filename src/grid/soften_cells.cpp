@@ -57,7 +57,7 @@ template <int Dim>
 bool may_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
   if (grid.layout.graded() || !grid.pore_share.empty()) return true;
   const auto moved = [&](int axis, int at, int a) {
-    return grid.integrals[axis].slope[a][at] != 0 || grid.integrals[axis].value[a][at] != 0;
+    return grid.integrals[axis].slope[at][a] != 0 || grid.integrals[axis].value[at][a] != 0;
   };
   const int first = moved(0, cell[0], 0) ? -1 : 0, last = moved(0, cell[0] + count - 1, 2) ? count : count - 1;
   double lightest = std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ template <int Dim>
 CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& cell, double dt) {
   // Sums of 1 / mass over y and z, to be multiplied with squares of slopes along x, and with those of values.
   WideRow<Dim> along{}, across{};
-  const auto entry = [&](const auto& table, int axis, int a) { return square(table[a][cell[axis]]); };
+  const auto entry = [&](const auto& table, int axis, int a) { return square(table[cell[axis]][a]); };
   for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
     const Vec4* const sum = grid.sum.data() + begin + offset - 1;
     const double value_y = entry(grid.integrals[1].value, 1, y), slope_y = entry(grid.integrals[1].slope, 1, y);
@@ -95,12 +95,12 @@ CellRow<Dim> cell_swing(const Grid<Dim>& grid, int begin, int count, const std::
       across[k] += with_value * inverse;
     }
   });
-  const auto &value = grid.integrals[0].value, &slope = grid.integrals[0].slope;
+  const auto* const value = grid.integrals[0].value.data() + cell[0];
+  const auto* const slope = grid.integrals[0].slope.data() + cell[0];
   const double scale = square(dt * face_measure(grid.layout));
   CellRow<Dim> swing{};
   for (int k = 0; k < count; ++k) {
-    for (int a = 0, at = cell[0] + k; a < 3; ++a)
-      swing[k] += square(slope[a][at]) * along[k + a] + square(value[a][at]) * across[k + a];
+    for (int a = 0; a < 3; ++a) swing[k] += square(slope[k][a]) * along[k + a] + square(value[k][a]) * across[k + a];
     const double volume = grid.cell_volume[begin + k];
     const double modulus = grid.cell_modulus.empty() ? grid.largest_modulus : grid.cell_modulus[begin + k] / volume;
     swing[k] *= modulus * scale / volume;

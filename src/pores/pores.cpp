@@ -60,7 +60,7 @@ double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, cons
     for (int axis = 0; share != 0 && axis < Dim; ++axis) {
       const int c = node[axis] + a[axis] - 1;
       const double width = grid.integrals[axis].width[c];
-      share *= width > 0 ? grid.integrals[axis].value[2 - a[axis]][c] / width : 0.0;
+      share *= width > 0 ? grid.integrals[axis].value[c][2 - a[axis]] / width : 0.0;
     }
     sum += share;
   });

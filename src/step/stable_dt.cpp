@@ -19,8 +19,8 @@
 namespace geodrop {
 namespace {
 
-/// Share of rho c^2 that counts where cells bear the pressure of water in pores: omega^2 <= 1.1 c^2 / h^2 with full cells
-/// in place of the 6 d c^2 / h^2 of particles; 1 / 6 keeps full cells from being softened.
+/// Share of rho c^2 that counts where cells bear the pressure of water in pores: omega^2 <= 1.1 c^2 / h^2 with full
+/// cells in place of the 6 d c^2 / h^2 of particles; 1 / 6 keeps full cells from being softened.
 constexpr double cells_to_particles = 1.0 / 6;
 
 /// That of K where cells bear the mean stress of a solid. Light cells at the edges of a body swing together: a panel of
@@ -99,10 +99,10 @@ template <int Dim>
 double speed_squared(const Body<Dim>& body, bool bounded, double membranes) {
   const double density = reference_density(body.material);
   if (const auto* solid = std::get_if<NeoHookean>(&body.material)) {
-    const auto modulus = [&](const auto& F, double J) {
-      return bounded ? neo_hookean_stiffest_mode<Dim>(*solid, F, J) : neo_hookean_wave_modulus<Dim>(*solid, F, J);
-    };
-    return most_strained(body, modulus) / density + (bounded ? stiffest_mode<Dim>({0, 0, membranes}) : membranes);
+    const auto waves = [&](const auto& F, double J) { return neo_hookean_wave_modulus<Dim>(*solid, F, J); };
+    if (!bounded) return most_strained(body, waves) / density + membranes;
+    const auto stiffest = [&](const auto& F, double J) { return neo_hookean_stiffest_mode<Dim>(*solid, F, J); };
+    return most_strained(body, stiffest) / density + stiffest_mode<Dim>({0, 0, membranes});
   }
   const auto [bulk, shear] = present_moduli(body);
   // Fluids keep the sum, too: splashing water bears no longer steps (docs/verification.md), and a bag of water at rest

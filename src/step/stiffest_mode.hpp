@@ -1,10 +1,11 @@
 // How fast particles can swing on the nodes around them: what elasticity and membranes allow at most.
 //
-// With quadratic splines sum_i grad N_i grad N_i^T / N_i <= 6 / h^2 I at any place, so that nodes that move by v_i (their
-// masses shared out by N_i m_p) strain a particle by no more than |L|^2 = sum over components of L^2 <= 6 / h^2
+// With quadratic splines sum_i grad N_i grad N_i^T / N_i <= 6 / h^2 I at any place, so that nodes that move by v_i
+// (their masses shared out by N_i m_p) strain a particle by no more than |L|^2 = sum over components of L^2 <= 6 / h^2
 // sum_i N_i |v_i|^2. Its energy is half of L : D : L, with D the tensor of elasticity, hence
 //
-//   omega^2 <= 6 D_max / (rho h^2) = 6 d c_eff^2 / h^2,   c_eff^2 = D_max / (rho d),   D_max the largest eigenvalue of D.
+//   omega^2 <= 6 D_max / (rho h^2) = 6 d c_eff^2 / h^2,   c_eff^2 = D_max / (rho d),   D_max the largest eigenvalue of
+//   D.
 //
 // A fluid has D_max = d K, and c_eff is the speed of sound; an isotropic solid max(2 (lambda + G), 2 G) in plane strain
 // and max(3 K, 2 G) in space, below the d (lambda + 2 G) of compression waves along each axis at once.
@@ -22,7 +23,8 @@ struct ElasticSpeeds {
   double membrane = 0;
 };
 
-/// c_eff^2 = D_max / d [m2/s2]. The membrane adds a t t t t to D (t along it), in space at most a for any stretch of its plane.
+/// c_eff^2 = D_max / d [m2/s2]. The membrane adds a t t t t to D (t along it), in space at most a for any stretch of
+/// its plane.
 template <int Dim>
 double stiffest_mode(const ElasticSpeeds& s) {
   const double lambda = s.bulk - 2.0 / 3.0 * s.shear, along = lambda + 2 * s.shear, a = s.membrane;

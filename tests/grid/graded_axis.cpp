@@ -194,9 +194,9 @@ TEST_CASE("Cell integrals of graded axes are those of Gauss quadrature, slip and
           });
         };
         if (node < 0 || node > cells) continue;
-        CHECK(std::abs(grid.integrals[1].value[entry][s] * h - folded(parity, false)) < 1e-14);
+        CHECK(std::abs(grid.integrals[1].value[s][entry] * h - folded(parity, false)) < 1e-14);
         // The normal velocity of a wall node is zero: its slope never acts.
-        if (node > 0 && node < cells) CHECK(std::abs(grid.integrals[1].slope[entry][s] - folded(-1, true)) < 1e-13);
+        if (node > 0 && node < cells) CHECK(std::abs(grid.integrals[1].slope[s][entry] - folded(-1, true)) < 1e-13);
       }
     }
     CHECK(width * h == near(3.0, 1e-14));

@@ -60,10 +60,10 @@ void check_axis(WallKind wall, Basis basis) {
       const bool real = node >= 0 && node <= cells;
       const auto value = [&](double x) { return folded(shape, x, node, cells, parity); };
       const auto slope = [&](double x) { return folded(shape_slope, x, node, cells, -1); };
-      CHECK(std::abs(grid.integrals[1].value[entry][s] - (real ? integrate(from, to, value) : 0.0)) < 1e-15);
+      CHECK(std::abs(grid.integrals[1].value[s][entry] - (real ? integrate(from, to, value) : 0.0)) < 1e-15);
       // The normal velocity of a wall node is zero: its slope never acts.
       const bool wall_node = node == 0 || node == cells;
-      if (real && !wall_node) CHECK(std::abs(grid.integrals[1].slope[entry][s] - integrate(from, to, slope)) < 1e-15);
+      if (real && !wall_node) CHECK(std::abs(grid.integrals[1].slope[s][entry] - integrate(from, to, slope)) < 1e-15);
     }
   }
 }
@@ -82,8 +82,8 @@ TEST_CASE("Between slip walls the value integrals of a cell add up to its width"
   const Grid<3> grid = make_grid<3>(box_scene<3>(5, 0.25, WallKind::slip));
   for (int a = 0; a < 3; ++a)
     for (int s = 0; s < grid.layout.stored[a]; ++s) {
-      const auto& value = grid.integrals[a].value;
-      CHECK(std::abs(value[0][s] + value[1][s] + value[2][s] - grid.integrals[a].width[s]) < 1e-15);
+      const auto& value = grid.integrals[a].value[s];
+      CHECK(std::abs(value[0] + value[1] + value[2] - grid.integrals[a].width[s]) < 1e-15);
     }
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("A grid has no arrays that its scene does not need") {
   CHECK(bare.cell_pressure.empty());
   CHECK(bare.volume_rate.empty());
   CHECK(bare.cell_flags.empty());
-  CHECK(bare.integrals[0].value[0].empty());
+  CHECK(bare.integrals[0].value.empty());
   scene.solver.transfer = Transfer::blend;
   scene.bodies[0].pressure = PressureSupport::cell;
   const Grid<2> full = make_grid<2>(scene);

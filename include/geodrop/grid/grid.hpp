@@ -327,8 +327,8 @@ struct Grid : GridFields {
   /// Exact integrals over the cell of a node along one axis, by stored cell coordinate, walls folded in, with h as
   /// the unit of length.
   struct AxisIntegrals {
-    std::array<Array<double>, 3> value;  ///< int N of the nodes cell-1, cell, cell+1
-    std::array<Array<double>, 3> slope;  ///< int N'
+    Array<std::array<double, 3>> value;  ///< int N of the nodes cell-1, cell, cell+1
+    Array<std::array<double, 3>> slope;  ///< int N'
     Array<double> width;                 ///< of the cell: uniform 1, at a wall 1/2, beyond it 0
   };
   std::array<AxisIntegrals, Dim> integrals;
