@@ -71,7 +71,7 @@ template <int Dim>
 class PoreSystem {
   using Columns = IntegralColumns<Dim>;
   using Slopes = CellSlopes<Dim, Columns>;
-  static Slopes columns_of(const Grid<Dim>& grid, Columns::Of of) { return {grid.layout, Columns(grid, of)}; }
+  static Slopes columns_of(const Grid<Dim>& grid, typename Columns::Of of) { return {grid.layout, Columns(grid, of)}; }
 
  public:
   PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(columns_of(grid, Columns::Of::integrals)) {
