@@ -68,11 +68,10 @@ double pore_stiffness_now(const Body<Dim>& body, const MohrCoulombWithGas& soil)
   return stiffness;
 }
 
-/// Moduli that the next step follows explicitly.
+/// Moduli that the next step follows explicitly, of pore gas as it is now.
 template <int Dim>
 ElasticModuli present_moduli(const Body<Dim>& body) {
-  ElasticModuli moduli = elastic_moduli(body.material);
-  if (implicit_pores_now(body)) moduli.bulk -= pore_stiffness(body.material);
+  ElasticModuli moduli = explicit_moduli(body);
   if (const auto* soil = std::get_if<MohrCoulombWithGas>(&body.material))
     moduli.bulk += pore_stiffness_now(body, *soil) - soil->pore_stiffness;
   return moduli;
@@ -104,13 +103,13 @@ double speed_squared(const Body<Dim>& body, bool bounded, double membranes) {
     const auto stiffest = [&](const auto& F, double J) { return neo_hookean_stiffest_mode<Dim>(*solid, F, J); };
     return most_strained(body, stiffest) / density + stiffest_mode<Dim>({0, 0, membranes});
   }
-  const auto [bulk, shear] = present_moduli(body);
+  const ElasticModuli moduli = present_moduli(body);
   // Fluids keep the sum, too: splashing water bears no longer steps (docs/verification.md), and a bag of water at rest
   // circulates more with them.
-  if (!bounded || shear == 0) return (bulk + 4.0 / 3.0 * shear) / density + membranes;
+  if (!bounded || moduli.shear == 0) return moduli.of_waves() / density + membranes;
   const bool by_cells = body.pressure == PressureSupport::cell;
-  const double of_cells = by_cells ? solid_cells_to_particles * bulk / density : 0;
-  return of_cells + stiffest_mode<Dim>({by_cells ? 0 : bulk / density, shear / density, membranes});
+  const double bulk = moduli.bulk / density, of_cells = by_cells ? solid_cells_to_particles * bulk : 0;
+  return of_cells + stiffest_mode<Dim>({by_cells ? 0 : bulk, moduli.shear / density, membranes});
 }
 
 /// The largest [m2/s]. Eddies of a mixing length l mix with at most l sqrt(tau / rho), tau the shear stress of the step

@@ -13,7 +13,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
   const double implicit = !body.implicit_pores.empty() ? pore_stiffness(body.material) : 0.0;
   const bool undrained = !grid.pore_volume.empty() && has_checkerboard(body);
-  const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * explicit_modulus(body);
+  const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * explicit_moduli(body).of_waves();
   double* const cell_volume = grid.cell_volume.data();
   double* const cell_pressure = grid.cell_pressure.data();
   const GridLayout<Dim>& layout = grid.layout;

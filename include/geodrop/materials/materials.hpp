@@ -267,10 +267,13 @@ double impedance(const Material& material);
 /// Of small elastic strain, pore water included [Pa].
 struct ElasticModuli {
   double bulk, shear;  ///< K, G
+
+  /// rho c^2 of compression waves.
+  double of_waves() const { return bulk + 4.0 / 3.0 * shear; }
 };
 ElasticModuli elastic_moduli(const Material& material);
 
-/// rho c^2 of compression waves, pore water included, K + 4/3 G [Pa].
+/// rho c^2 of compression waves, pore water included [Pa].
 double wave_modulus(const Material& material);
 
 /// K_f / n of undrained soil, the share of its pore water in wave_modulus; 0 of others [Pa].

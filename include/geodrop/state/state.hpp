@@ -44,9 +44,11 @@ inline bool implicit_pores_now(const BodySettings& body) {
   return !body.implicit_pores.empty() && !body.implicit_pores.front();
 }
 
-/// rho c^2 of a body as the time step has to follow it [Pa].
-inline double explicit_modulus(const BodySettings& body) {
-  return wave_modulus(body.material) - (implicit_pores_now(body) ? pore_stiffness(body.material) : 0);
+/// Moduli of a body that the next step follows explicitly.
+inline ElasticModuli explicit_moduli(const BodySettings& body) {
+  ElasticModuli moduli = elastic_moduli(body.material);
+  if (implicit_pores_now(body)) moduli.bulk -= pore_stiffness(body.material);
+  return moduli;
 }
 
 /// One body: its law and its particles.
