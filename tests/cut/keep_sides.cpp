@@ -73,6 +73,15 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("What is put back has the velocity of its field there") {
+  OneParticle box(0, 2.9, 4);
+  box.body.v = {Array<double>{-0.5}, Array<double>{0.25}};
+  box.body.affine = {Array<double>{0}, Array<double>{0}, Array<double>{3}, Array<double>{100}};  // 3 /s: dv_y/dx
+  keep_sides(box.state, box.grids, dt);
+  CHECK(box.body.v[0][0] == -0.5);
+  CHECK(box.body.v[1][0] == near(0.25 + 3 * (2.75 - off - 2.9), 1e-14));
+}
+
 TEST_CASE("At a corner the mean of both normals tells the sides apart") {
   const double diagonal = off / std::sqrt(2.0);
   check_at(kept(1, 2.6, 2.6), 2.75 + diagonal, 2.75 + diagonal);
