@@ -103,7 +103,8 @@ std::vector<Benchmark> all_benchmarks() {
 std::vector<SceneBenchmark> scene_benchmarks() {
   const std::string main_case = "cases/dump_kekerdom.toml";
   return {{"main_case", main_case, {}},
-          {"main_case_coarse", main_case, {"grid.spacing=0.5"}},
+          {"main_case_uniform", main_case, {"grid.spacing=0.25", "grid.refine=[]"}},
+          {"main_case_coarse", main_case, {"grid.refine=[]"}},
           {"geotube", "cases/geotube_556.toml", {}},
           {"two_containers", "cases/two_containers.toml", {}},
           {"bed_3d", "cases/k0_bed_3d.toml", {}}};

@@ -24,7 +24,7 @@ constexpr std::pair<const char*, const char*> examples[] = {
     {"verify", "geodrop verify --quick\ngeodrop verify --only elastic_bar"},
     {"replay", "geodrop replay runs/dump_kekerdom"},
     {"ensemble",
-     "geodrop ensemble cases/dump_kekerdom.toml --samples 20 --set grid.spacing=0.5 "
+     "geodrop ensemble cases/dump_kekerdom.toml --samples 20 --set grid.refine=[] "
      "--vary bodies.container.shape.tilt_deg=2.0:15.0"},
     {"sweep",
      "geodrop sweep my_scene.toml --vary grid.spacing=0.25,0.125 --jobs 2\n"

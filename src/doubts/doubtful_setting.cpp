@@ -63,7 +63,9 @@ std::string seed_doubt(const Scene&, const BodySpec& body) {
          body.name + ".jitter is 0";
 }
 
-std::string finer_grid(const Scene& scene, double most) {
+/// What makes cells along an axis no wider than `most` [m].
+std::string finer_cells(const Scene& scene, std::size_t axis, double most) {
+  if (has_zone(scene.grid, axis)) return "take a finer zone of grid.refine";
   const double fine = largest_allowed_spacing(scene, most);
   return fine > 0 ? fmt::format("take grid.spacing = {} [m]", fine) : "no grid.spacing fine enough divides the domain";
 }
@@ -90,7 +92,7 @@ std::string coarse_content_doubt(const Scene& scene, const BodySpec& body) {
     if (from_wall_to_wall(scene, box, axis) || cells >= least_cells * (1 - chords)) continue;
     return "bodies." + body.name + " is " + number(cells) + " cells " +
            (axis + 1 == box.lower.size() ? "high" : "wide") + ": a body within a membrane has to have at least four; " +
-           (has_zone(scene.grid, axis) ? "take a finer zone of grid.refine" : finer_grid(scene, extent / least_cells));
+           finer_cells(scene, axis, extent / least_cells);
   }
   return {};
 }
@@ -100,14 +102,18 @@ std::string shift_doubt(const Scene& scene, const BodySpec& body) {
   if (!body.shift) return {};
   constexpr double least_cells = 4;
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
-  double least = std::numeric_limits<double>::infinity();
+  double fewest = std::numeric_limits<double>::infinity();
+  std::size_t axis = 0;
   for (std::size_t i = 0; i < box.lower.size(); ++i) {
-    if (!from_wall_to_wall(scene, box, i)) least = std::min(least, box.upper[i] - box.lower[i]);
+    const double cells = (box.upper[i] - box.lower[i]) / finest_spacing(scene.grid, i);
+    if (from_wall_to_wall(scene, box, i) || cells >= fewest) continue;
+    fewest = cells;
+    axis = i;
   }
-  if (least >= least_cells * scene.grid.spacing) return {};
-  return "bodies." + body.name + ".shift moves few particles or none: the body is " +
-         number(least / scene.grid.spacing) + " cells across, and only cells with full neighbours on all sides are " +
-         "evened out; " + finer_grid(scene, least / least_cells);
+  if (fewest >= least_cells) return {};
+  return "bodies." + body.name + ".shift moves few particles or none: the body is " + number(fewest) +
+         " cells across, and only cells with full neighbours on all sides are evened out; " +
+         finer_cells(scene, axis, (box.upper[axis] - box.lower[axis]) / least_cells);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST_CASE("Main case: one hash for 1, 2, 3 and 5 threads") {
 }
 
 TEST_CASE("Sharp interface: one hash for 1, 2, 3 and 5 threads") {
-  check_threads("cases/dump_kekerdom.toml", {"grid.spacing=0.5", "time.end=0.0766"});
+  check_threads("cases/dump_kekerdom.toml", {"grid.refine=[]", "time.end=0.0766"});
 }
 
 TEST_CASE("Main case on the other bases: one hash for 1, 2, 3 and 5 threads") {

@@ -18,7 +18,7 @@ inline const std::string drop = "cases/dump_kekerdom.toml";
 
 /// A drop of about a second on an idle core, with water, soil, membrane, contact and frames; `more` settings beside.
 inline std::vector<std::string> short_drop(const std::vector<std::string>& more = {}) {
-  std::vector<std::string> settings{"grid.spacing=0.5", "time.end=0.4", "output.frame_interval=0.02",
+  std::vector<std::string> settings{"grid.refine=[]", "time.end=0.4", "output.frame_interval=0.02",
                                     "output.history_interval=0.005", "output.checkpoint_interval=0.05"};
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
