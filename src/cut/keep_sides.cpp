@@ -142,23 +142,24 @@ double mobility(const Grid<Dim>& grid, const Membrane<Dim>& membrane, const Vec<
   return sum;
 }
 
-/// What the velocity field of a particle differs by elsewhere, C dx [m/s].
+/// What a shift by dx adds to the velocity of a particle, C dx [m/s]; 0 in bodies that do not shift.
 template <int Dim>
-Vec<Dim> change_along(const Body<Dim>& body, std::size_t p, const Vec<Dim>& dx) {
+Vec<Dim> change_by_shift(const Body<Dim>& body, std::size_t p, const Vec<Dim>& dx) {
   Vec<Dim> change = Vec<Dim>::Zero();
+  if (!body.shift) return change;
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) change[a] += body.affine[a * Dim + b][p] * dx[b];
   return change;
 }
 
-/// Puts a particle on its side of a membrane, with the velocity of its field there: what shifted through the membrane
-/// must not keep what the shift has added each step. The membrane takes what has moved it through: no more than what
-/// leads back to the membrane in a step, and no more than its velocity towards the membrane; then both go on as one, as
-/// after a plastic impact, so that light cloth is not shot away.
+/// Puts a particle on its side of a membrane, with the velocity of its field there if it may have shifted: what shifts
+/// into the membrane step by step must not keep what each shift has added. The membrane takes what has moved it
+/// through: no more than what leads back to the membrane in a step, and no more than its velocity towards the membrane;
+/// then both go on as one, as after a plastic impact, so that light cloth is not shot away.
 template <int Dim>
 Catch<Dim> put_back(const Grid<Dim>& of_membrane, const Membrane<Dim>& membrane, const RightSide<Dim>& side, double dt,
                     std::size_t p, Body<Dim>& body) {
-  const Vec<Dim> v = vector_at(body.v, p) + change_along<Dim>(body, p, side.to - vector_at(body.x, p));
+  const Vec<Dim> v = vector_at(body.v, p) + change_by_shift<Dim>(body, p, side.to - vector_at(body.x, p));
   Vec<Dim> point = Vec<Dim>::Zero(), towards = v;
   for (int k = 0; k < Dim; ++k) {
     point += side.share[k] * vector_at(membrane.x, side.nodes[k]);

@@ -54,6 +54,8 @@ ElasticModuli elastic_moduli(const Material& material) {
   return std::visit([](const auto& law) { return elastic_moduli(law); }, material);
 }
 
+double ElasticModuli::of_waves() const { return bulk + 4.0 / 3.0 * shear; }
+
 double wave_modulus(const Material& material) { return elastic_moduli(material).of_waves(); }
 
 double wave_speed(const Material& material) { return std::sqrt(wave_modulus(material) / reference_density(material)); }

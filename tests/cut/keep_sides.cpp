@@ -73,8 +73,9 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("What is put back has the velocity of its field there") {
+TEST_CASE("What shifted, and is put back, has the velocity of its field there") {
   OneParticle box(0, 2.9, 4);
+  box.body.shift = true;
   box.body.v = {Array<double>{-0.5}, Array<double>{0.25}};
   box.body.affine = {Array<double>{0}, Array<double>{0}, Array<double>{3}, Array<double>{100}};  // 3 /s: dv_y/dx
   keep_sides(box.state, box.grids, dt);

@@ -269,7 +269,7 @@ struct ElasticModuli {
   double bulk, shear;  ///< K, G
 
   /// rho c^2 of compression waves.
-  double of_waves() const { return bulk + 4.0 / 3.0 * shear; }
+  double of_waves() const;
 };
 ElasticModuli elastic_moduli(const Material& material);
 
