@@ -161,6 +161,13 @@ TEST_CASE("The spacing that the doubt about shift advises is accepted, and raise
     CAPTURE(changed.back());
     CHECK_FALSE(contains(joined(changed, scene), ".shift moves few"));
   }
+  const auto in_zone = [](const std::string& spacing) {  // of a body 1.3 m wide
+    return joined({"grid.refine=[{axis='x',from=-1.5,to=1.5,spacing=" + spacing + "}]"}, "cases/dump_kekerdom.toml");
+  };
+  CHECK(contains(in_zone("0.4"),
+                 "cells across, and only cells with full neighbours on all sides are evened out; take a "
+                 "finer zone of grid.refine"));
+  CHECK_FALSE(contains(in_zone("0.0625"), ".shift moves few"));
 }
 
 TEST_CASE("Unit weights and densities of the calculators") {
