@@ -212,6 +212,13 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
         for (int a = 0; a < Dim; ++a) outside.slope[n][a] -= cell.inside[n][a];
       }
     }
+    // Whole cells with too little pore water for a pressure: what flows into them would leave the bag.
+    if (pressed.field != grid.field)
+      for_each_uncut(pressed.layout, grid.outline, true, [&](int flat) {
+        const int host = find_host(pressed, flat, {});
+        if (host >= 0 && host != flat)
+          lists[pressed.field].at(flat, whole_cell(spans_of(pressed.layout, flat))).host = host;
+      });
     // Cells of the other field, and particles that strayed there.
     const auto take_in_strays = [&](const Grid<Dim>& field, PartList<Dim>& list, bool inside) {
       for_each_uncut(field.layout, grid.outline, inside, [&](int flat) {

@@ -11,9 +11,11 @@
 #include "cells_around.hpp"
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
+#include "grid/neighbourhood.hpp"
 #include "grid/point_support.hpp"
 #include "near_triangles.hpp"
 #include "right_side.hpp"
+#include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -129,17 +131,24 @@ struct Catch {
   Vec<Dim> momentum;
 };
 
-/// What an impulse at a point of a membrane makes of its velocity there, by the nodes of its field:
-/// sum N_i^2 / m_i [1/kg].
+/// What resists an impulse at a point of a membrane: 1 / sum N_i^2 / m_i of the nodes of a field [kg].
 template <int Dim>
-double mobility(const Grid<Dim>& grid, const Membrane<Dim>& membrane, const Vec<Dim>& x) {
+double inertia(const Grid<Dim>& grid, const Membrane<Dim>& membrane, const Vec<Dim>& x) {
   std::array<double, Dim> place;
   for (int a = 0; a < Dim; ++a) place[a] = x[a];
   double sum = 0;
   PointSupport<Dim>(grid.layout, place, membrane.half_size).for_each_node(grid.layout, [&](int node, double weight) {
     if (const double mass = grid.sum[node][3]; mass > 0) sum += weight * weight / mass;
   });
-  return sum;
+  return sum > 0 ? 1 / sum : 0.0;
+}
+
+/// Of a membrane, of what is inside and, where it is wet, of what is around: that goes with it (join_interfaces).
+template <int Dim>
+double joint_inertia(const Grids<Dim>& grids, const Membrane<Dim>& membrane, const Vec<Dim>& x, std::uint32_t near) {
+  const Grid<Dim>& around = grids.front();
+  const double own = inertia(grids[membrane.field], membrane, x);
+  return is_wet(around, cell_at(around.layout, membrane.x, near)) ? own + inertia(around, membrane, x) : own;
 }
 
 /// What a shift by dx adds to the velocity of a particle, C dx [m/s]; 0 in bodies that do not shift.
@@ -157,7 +166,7 @@ Vec<Dim> change_by_shift(const Body<Dim>& body, std::size_t p, const Vec<Dim>& d
 /// through: no more than what leads back to the membrane in a step, and no more than its velocity towards the membrane;
 /// then both go on as one, as after a plastic impact, so that light cloth is not shot away.
 template <int Dim>
-Catch<Dim> put_back(const Grid<Dim>& of_membrane, const Membrane<Dim>& membrane, const RightSide<Dim>& side, double dt,
+Catch<Dim> put_back(const Grids<Dim>& grids, const Membrane<Dim>& membrane, const RightSide<Dim>& side, double dt,
                     std::size_t p, Body<Dim>& body) {
   const Vec<Dim> v = vector_at(body.v, p) + change_by_shift<Dim>(body, p, side.to - vector_at(body.x, p));
   Vec<Dim> point = Vec<Dim>::Zero(), towards = v;
@@ -168,8 +177,10 @@ Catch<Dim> put_back(const Grid<Dim>& of_membrane, const Membrane<Dim>& membrane,
   const Vec<Dim> behind = vector_at(body.x, p) - point;
   const double depth = behind.norm(), approach = depth > 0 ? towards.dot(behind) / depth : 0.0;
   Vec<Dim> change = Vec<Dim>::Zero();
-  if (approach > 0)
-    change = -std::min(approach / depth, 1 / dt) / (1 + body.mass[p] * mobility(of_membrane, membrane, point)) * behind;
+  if (approach > 0) {
+    const double resists = joint_inertia(grids, membrane, point, side.nodes[0]);
+    change = -std::min(approach / depth, 1 / dt) * resists / (resists + body.mass[p]) * behind;
+  }
   for (int a = 0; a < Dim; ++a) {
     body.x[a][p] = side.to[a];
     body.v[a][p] = v[a] + change[a];
@@ -220,7 +231,7 @@ void keep_particle(const Keepers<Dim>& keepers, double dt, std::size_t p, Body<D
   for (std::size_t k = 0; k < keepers.size(); ++k) {
     const auto side = keepers[k]->moves(body, p);
     if (!side) continue;
-    caught[k].push_back(put_back(keepers[k]->field, keepers[k]->membrane, *side, dt, p, body));
+    caught[k].push_back(put_back(keepers[k]->grids, keepers[k]->membrane, *side, dt, p, body));
     moved = true;
   }
   if (!moved || keepers.size() == 1) return;
