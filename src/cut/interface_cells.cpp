@@ -245,14 +245,16 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     // Cavities close as they opened, whatever the pressure of the cell.
     const double torn = fluid->cavitates() ? 1 / (1 - fluid->tension_cutoff / fluid->bulk_modulus)
                                            : std::numeric_limits<double>::infinity();
-    const double way = evening * wave_speed(body.material) * dt, share = way * grid.layout.inv_h;
+    // With an implicit pressure waves may go farther than a cell in a step.
+    constexpr double most = 0.5;
+    const double way = evening * wave_speed(body.material) * dt, share = std::min(most, way * grid.layout.inv_h);
     const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
       const int cell = cell_at(grid.layout, body.x, p);
       if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= torn) continue;
-      const double mean = 1 / (1 + grid.cell_pressure[cell] / fluid->bulk_modulus);
-      const double here = grid.layout.graded() ? way / least_width(grid.layout, cell) : share;
+      const double mean = fluid_volume_ratio(*fluid, grid.cell_pressure[cell], body.gas_at(p));
+      const double here = grid.layout.graded() ? std::min(most, way / least_width(grid.layout, cell)) : share;
       body.J[p] += here * (mean - body.J[p]);
     }
   }

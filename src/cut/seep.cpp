@@ -42,18 +42,26 @@ class Pools {
     return host >= 0 && found != pools_.end() && found->second.mass > 0 ? &found->second : nullptr;
   }
 
-  /// Particles give a share of their mass each, and take a share of what comes by theirs.
+  /// Particles give a share of their mass each, with its gas, and take a share of what comes by theirs, water alone.
   void hand_over() {
     for (const auto& [p, of_cell] : members_) {
       const Pool& pool = *of_cell;
       const double kept = body_.mass[p] * (1 - pool.given / pool.mass), part = body_.mass[p] / pool.mass;
       const double mass = kept + part * pool.taken;
       for (int a = 0; a < 2; ++a) body_.v[a][p] = (kept * body_.v[a][p] + part * pool.taken_speed[a]) / mass;
+      if (const double gas = body_.gas_at(p); gas > 0) thin_out(gas * kept / mass, p);
       body_.mass[p] = mass;
     }
   }
 
  private:
+  /// Less gas per water, at the same pressure.
+  void thin_out(double gas, std::size_t p) {
+    const auto& fluid = std::get<Newtonian>(body_.material);
+    body_.J[p] = fluid_volume_ratio(fluid, fluid_pressure(fluid, body_.J[p], body_.gas[p]), gas);
+    body_.gas[p] = gas;
+  }
+
   int host_of(int flat) const {
     const auto place = std::lower_bound(host_.begin(), host_.end(), std::pair(flat, -1));
     return place != host_.end() && place->first == flat ? place->second : -1;

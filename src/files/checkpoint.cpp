@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::array<char, 8> magic = {'g', 'e', 'o', 'd', 'r', 'o', 'p', 'C'};
 /// To be raised when the layout of the file changes, i.e. with every change to archive.hpp.
-constexpr std::uint32_t format_version = 12;
+constexpr std::uint32_t format_version = 13;
 
 class Hash {
  public:

@@ -5,16 +5,12 @@
 
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "cell_pressure.hpp"
 #include "neighbourhood.hpp"
+#include "node_vectors.hpp"
 
 namespace geodrop {
-
-/// Vectors at the nodes of a grid, one array for each component, by flat index.
-template <int Dim>
-using NodeVectors = std::array<std::vector<double>, Dim>;
 
 /// Cells or nodes that stand in a row of a block.
 template <int Dim>

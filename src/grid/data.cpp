@@ -31,7 +31,7 @@ class Hasher {
 /// What only some particles, or none, have besides stress: it belongs to their law.
 template <int Dim>
 void add_material_state(const Body<Dim>& body, Hasher& hash) {
-  hash.add(body.deformation, body.pore_pressure, body.deviatoric_strain, body.gap, body.eddy_length);
+  hash.add(body.deformation, body.pore_pressure, body.deviatoric_strain, body.gap, body.eddy_length, body.gas);
 }
 
 template <int Dim>

@@ -102,9 +102,8 @@ double lightest_density(const Scene& scene, const std::vector<BodySpec>& bodies)
 std::set<double> cell_moduli(const Scene& scene, const std::vector<BodySpec>& bodies) {
   std::set<double> moduli;
   for (const BodySpec& body : bodies) {
-    const MaterialSpec* spec = find_material(scene, body.material);
-    if (!spec || body.pressure != PressureSupport::cell) continue;
-    moduli.insert(wave_modulus(make_material(*spec)));
+    if (!find_material(scene, body.material) || body.pressure != PressureSupport::cell) continue;
+    moduli.insert(wave_modulus(law_of(scene, body)));
   }
   return moduli;
 }

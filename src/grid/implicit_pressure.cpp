@@ -39,19 +39,23 @@ struct PressedCells {
   CellRow<Dim> share;  ///< of soften_light_cells, times the measure of g; 0: a cell without a pore pressure
 };
 
-/// The g of parts of cells beside a sharp interface that share a pressure, with what nodes of small mass hand on, as
-/// the volume rates of parts see it (carried_velocity).
+/// The g of parts of cells beside a sharp interface that share a pressure. If they act on the field of the grid, with
+/// what nodes of small mass hand on, as the volume rates of parts see it (carried_velocity); a medium does that itself.
 template <int Dim>
-std::vector<NodeVector<Dim>> slopes_of_parts(const Grid<Dim>& grid, auto first, auto last) {
+std::vector<NodeVector<Dim>> slopes_of_parts(const Grid<Dim>& grid, bool hands_on, auto first, auto last) {
   std::vector<NodeVector<Dim>> carried;
   for (auto part = first; part != last; ++part) {
     std::size_t n = 0;
     for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
       const std::array<double, Dim>& g = part->slope[n++];
-      for_shares_of_impulse<Dim>(grid, node, [&](int to, double share) {
+      const auto add = [&](int to, double share) {
         carried.push_back({to, g});
         for (double& component : carried.back().value) component *= part->share * share;
-      });
+      };
+      if (hands_on)
+        for_shares_of_impulse<Dim>(grid, node, add);
+      else
+        add(node, 1);
     });
   }
   add_up_by_node(carried);
@@ -74,14 +78,15 @@ class PoreSystem {
   static Slopes columns_of(const Grid<Dim>& grid, typename Columns::Of of) { return {grid.layout, Columns(grid, of)}; }
 
  public:
-  PoreSystem(const Grid<Dim>& grid, double dt) : slopes_(columns_of(grid, Columns::Of::integrals)) {
+  PoreSystem(const Grid<Dim>& grid, double dt, Medium<Dim>* medium)
+      : slopes_(columns_of(grid, Columns::Of::integrals)), medium_(medium) {
     std::vector<double> compressibility;
     const auto stores = [&](double volume, double modulus) { return volume * volume / (modulus * dt * dt); };
     find_cells(grid, stores, compressibility);
     for_each_group(grid.part_cells, [&](auto first, auto last) {
       const double modulus = sum_of_group(grid.pore_modulus, first, last);
       if (!(modulus > 0)) return;
-      parts_.push_back(slopes_of_parts(grid, first, last));
+      parts_.push_back(slopes_of_parts(grid, !medium_, first, last));
       compressibility.push_back(stores(sum_of_group(grid.cell_volume, first, last), modulus));
     });
     compressibility_ = Eigen::Map<Eigen::VectorXd>(compressibility.data(), std::ssize(compressibility));
@@ -101,15 +106,19 @@ class PoreSystem {
 
   /// -g . v.
   Eigen::VectorXd rates(const Grid<Dim>& grid) {
-    for_each_node([&](int node) {
-      for (int a = 0; a < Dim; ++a) velocity_[a][node] = grid.velocity[node][a];
-    });
+    if (medium_)
+      medium_->velocities(velocity_);
+    else
+      for_each_node([&](int node) {
+        for (int a = 0; a < Dim; ++a) velocity_[a][node] = grid.velocity[node][a];
+      });
     return -flows();
   }
 
   /// Adds what q does to the velocities of nodes.
   void move_nodes(const Eigen::VectorXd& q, Grid<Dim>& grid) {
     find_changes(q);
+    if (medium_) return medium_->move();
     for_each_node([&](int node) {
       for (int a = 0; a < Dim; ++a) {
         grid.velocity[node][a] += velocity_[a][node];
@@ -139,7 +148,7 @@ class PoreSystem {
       });
   }
 
-  /// Nodes that a pressure moves, and 1 / m of each component, 0 for what does not move [1/kg].
+  /// Nodes that a pressure moves, and 1 / m of each component, 0 for what does not move [1/kg]; of a medium, about.
   void find_nodes(const Grid<Dim>& grid) {
     std::vector<bool> moves(grid.layout.nodes(), false);
     for (const auto& [at, unknown, share] : cells_)
@@ -148,6 +157,7 @@ class PoreSystem {
       });
     for (const auto& part : parts_)
       for (const auto& [node, g] : part) moves[node] = true;
+    if (medium_) medium_->begin(moves);
     for (auto* vectors : {&velocity_, &lightness_, &by_parts_})
       for (std::vector<double>& component : *vectors) component.assign(grid.layout.nodes(), 0.0);
     pressure_.assign(grid.layout.nodes(), 0.0);
@@ -158,8 +168,8 @@ class PoreSystem {
       });
     for_each_node([&](int node) {
       const std::array<bool, Dim> held = held_by_walls(grid.layout, node);
-      const double mass = grid.sum[node][3];
-      for (int a = 0; a < Dim; ++a) lightness_[a][node] = held[a] || !(mass > 0) ? 0 : 1 / mass;
+      const double mass = grid.sum[node][3], lightness = medium_ ? medium_->lightness(node) : mass > 0 ? 1 / mass : 0;
+      for (int a = 0; a < Dim; ++a) lightness_[a][node] = held[a] ? 0 : lightness;
     });
   }
 
@@ -193,8 +203,9 @@ class PoreSystem {
         const RowForce<Dim> impulse = slopes_.force(at, pressure_);
         for (int a = 0; a < Dim; ++a)
           for (int k = 0; k < at.count; ++k)
-            velocity_[a][at.begin + k] = lightness_[a][at.begin + k] * (impulse[a][k] + by_parts_[a][at.begin + k]);
+            velocity_[a][at.begin + k] = mobility(a, at.begin + k) * (impulse[a][k] + by_parts_[a][at.begin + k]);
       });
+    if (medium_) medium_->respond(velocity_);
   }
 
   /// g . velocity_.
@@ -217,6 +228,12 @@ class PoreSystem {
     return out;
   }
 
+  /// Of the field of the grid; a medium takes impulses, where it has mass and is not held.
+  double mobility(int component, int node) const {
+    const double lightness = lightness_[component][node];
+    return medium_ && lightness > 0 ? 1 : lightness;
+  }
+
   Eigen::Index first_part() const { return compressibility_.size() - std::ssize(parts_); }
 
   void for_each_node(auto&& f) const {
@@ -225,6 +242,7 @@ class PoreSystem {
   }
 
   Slopes slopes_;
+  Medium<Dim>* medium_;  ///< null: the field of the grid
   std::vector<PressedCells<Dim>> cells_;
   std::vector<std::vector<NodeVector<Dim>>> parts_;
   std::vector<RowAt<Dim>> nodes_;
@@ -274,29 +292,29 @@ bool any_open_pores(const Grid<Dim>& grid) {
 }  // namespace
 
 template <int Dim>
-void press_cells(Grid<Dim>& grid, double dt) {
-  PoreSystem<Dim> system(grid, dt);
+void press_cells(Grid<Dim>& grid, double dt, Medium<Dim>* medium) {
+  PoreSystem<Dim> system(grid, dt, medium);
   if (system.empty()) return;
   system.move_nodes(solve(system, system.rates(grid)), grid);
   impose_wall_velocity(grid);
 }
 
 template <int Dim>
-void press_pores(State<Dim>& state, Grid<Dim>& grid, double dt) {
+void press_pores(State<Dim>& state, Grid<Dim>& grid, double dt, Medium<Dim>* medium) {
   bool open = false;
   const auto for_each_soil = [&](auto&& f) {
     for (Body<Dim>& body : state.bodies)
       if (!body.implicit_pores.empty() && body.field == grid.field) f(body);
   };
   for_each_soil([&](const Body<Dim>& soil) { open = open || soil.implicit_pores.front(); });
-  if (!open) press_cells(grid, dt);
+  if (!open) press_cells(grid, dt, medium);
   open = any_open_pores(grid);
   for_each_soil([&](Body<Dim>& soil) { soil.implicit_pores.front() = open; });
 }
 
-#define GEODROP_INSTANTIATE(D)                    \
-  template void press_cells<D>(Grid<D>&, double); \
-  template void press_pores<D>(State<D>&, Grid<D>&, double);
+#define GEODROP_INSTANTIATE(D)                                \
+  template void press_cells<D>(Grid<D>&, double, Medium<D>*); \
+  template void press_pores<D>(State<D>&, Grid<D>&, double, Medium<D>*);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

@@ -15,6 +15,10 @@ struct NodeVector {
   std::array<double, Dim> value;
 };
 
+/// Vectors at the nodes of a grid, one array for each component, by flat index.
+template <int Dim>
+using NodeVectors = std::array<std::vector<double>, Dim>;
+
 /// Adds up what is at the same node, in the order given; then sorted by node.
 template <int Dim>
 void add_up_by_node(std::vector<NodeVector<Dim>>& vectors) {

@@ -92,10 +92,10 @@ Row<Dim> implicit_pressure_row(const Scene& scene) {
               Data::volume_rate | Data::cut_cells,
           Data::nodal_velocity | Data::velocity_change | Data::largest_motion,
           std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                      [](const BodySpec& body) { return body.implicit_pore_pressure; }),
+                      [&](const BodySpec& b) { return b.implicit_pore_pressure && !saturates(scene, b.name); }),
           [](State<Dim>& state, Grids<Dim>& grids, const StepContext& step) {
             for (Grid<Dim>& grid : grids)
-              if (!grid.pore_modulus.empty()) press_pores(state, grid, step.dt);
+              if (!grid.pore_modulus.empty() && grid.pore_share.empty()) press_pores(state, grid, step.dt);
           }};
 }
 

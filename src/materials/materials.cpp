@@ -9,7 +9,8 @@
 namespace geodrop {
 namespace {
 
-ElasticModuli elastic_moduli(const Newtonian& fluid) { return {fluid.bulk_modulus, 0}; }
+/// With gas the largest at any pressure, rho0 c^2 <= K + g p_a (Cauchy and Schwarz).
+ElasticModuli elastic_moduli(const Newtonian& fluid) { return {fluid.bulk_modulus + fluid.gas * fluid.atmosphere, 0}; }
 ElasticModuli elastic_moduli(const NeoHookean& solid) {
   return {solid.lame_lambda + 2.0 / 3.0 * solid.shear_modulus, solid.shear_modulus};
 }
@@ -19,6 +20,14 @@ ElasticModuli elastic_moduli(const Solid& solid) {
   double bulk = solid.bulk_modulus;
   if constexpr (requires { solid.pore_stiffness; }) bulk += solid.pore_stiffness;
   return {bulk, solid.shear_modulus};
+}
+
+/// The larger root of J/K p^2 + b p + p_a (J - 1 - g) = 0, as of fluid_pressure; the other is below -p_a.
+double pressure_with_gas(const Newtonian& fluid, double J, double gas) {
+  const double K = fluid.bulk_modulus, atmosphere = fluid.atmosphere;
+  const double a = J / K, b = J - 1 + (J - gas) * atmosphere / K, c = atmosphere * (J - 1 - gas);
+  const double root = std::sqrt(b * b - 4 * a * c);
+  return b > 0 ? -2 * c / (b + root) : (root - b) / (2 * a);  // the other form would cancel
 }
 
 }  // namespace
@@ -65,17 +74,28 @@ double pore_stiffness(const Material& material) {
   return soil ? soil->pore_stiffness : 0;
 }
 
+double implicit_modulus(const Material& material) {
+  const auto* const water = std::get_if<Newtonian>(&material);
+  return water ? water->bulk_modulus : pore_stiffness(material);
+}
+
 double impedance(const Material& material) { return reference_density(material) * wave_speed(material); }
 
 double shear_wave_speed(const Material& material) {
   return std::sqrt(elastic_moduli(material).shear / reference_density(material));
 }
 
-double fluid_pressure(const Newtonian& fluid, double J) {
-  return std::max(fluid.bulk_modulus * (1 / J - 1), -fluid.tension_cutoff);
+double fluid_pressure(const Newtonian& fluid, double J, double gas) {
+  const double whole = gas > 0 ? pressure_with_gas(fluid, J, gas) : fluid.bulk_modulus * (1 / J - 1);
+  return std::max(whole, -fluid.tension_cutoff);
 }
 
-double fluid_energy(const Newtonian& fluid, double J) {
+double fluid_energy(const Newtonian& fluid, double J, double gas) {
+  if (gas > 0) {
+    const double p = fluid_pressure(fluid, J, gas), share = fluid.atmosphere / (fluid.atmosphere + p);
+    const double of_gas = gas * fluid.atmosphere * (share - 1 - std::log(share));
+    return fluid_energy(fluid, fluid_volume_ratio(fluid, p)) + of_gas;
+  }
   const double torn = fluid.cavitates() ? 1 / (1 - fluid.tension_cutoff / fluid.bulk_modulus) : J;
   const double elastic = std::min(J, torn);
   const double stored = fluid.bulk_modulus * ((elastic - 1) - std::log1p(elastic - 1));

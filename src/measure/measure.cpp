@@ -23,7 +23,7 @@ constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 template <int Dim>
 double pressure(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
   const double of_weight = body.unit_weight * (body.weightless_level - body.x[vertical_axis<Dim>][p]);
-  return fluid_pressure(fluid, body.J[p]) + of_weight;
+  return fluid_pressure(fluid, body.J[p], body.gas_at(p)) + of_weight;
 }
 template <class Solid, int Dim>
 double pressure(const Solid&, const Body<Dim>& body, std::size_t p) {

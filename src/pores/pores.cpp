@@ -13,6 +13,7 @@
 #include "grid/momentum.hpp"
 #include "grid/neighbourhood.hpp"
 #include "grid/seams.hpp"
+#include "pore_motion.hpp"
 #include "scene/needs.hpp"
 #include "transfer/slabs.hpp"
 
@@ -238,16 +239,17 @@ Consolidation consolidation(const Scene& scene, const PoreSoil& soil) {
   return out;
 }
 
-std::map<std::size_t, double> pore_speed_squared(const Scene& scene) {
-  std::map<std::size_t, double> square;
+std::map<std::size_t, PoreWaves> pore_waves(const Scene& scene) {
+  std::map<std::size_t, PoreWaves> waves;
   for (const PoreSoil& soil : pore_soils(scene)) {
     const BodySpec& body = scene.bodies[soil.body];
-    const auto water =
-        std::get<Newtonian>(make_material(*find_material(scene, find_body(scene, body.saturated_by)->material)));
+    const BodySpec& filled_by = *find_body(scene, body.saturated_by);
+    const Material water = law_of(scene, filled_by);
     const double n = soil.porosity;
-    square[soil.body] = water.bulk_modulus / n * ((1 - n) / soil.grain_density + n / water.density);
+    waves[soil.body] = {static_cast<std::size_t>(&filled_by - scene.bodies.data()),
+                        wave_modulus(water) / n * ((1 - n) / soil.grain_density + n / reference_density(water))};
   }
-  return square;
+  return waves;
 }
 
 template <int Dim>
@@ -308,6 +310,15 @@ void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& 
 }
 
 template <int Dim>
+void press_pore_water(const std::vector<PoreSoil>& soils, double dt, State<Dim>& state, Grids<Dim>& grids) {
+  for_each_pair(soils, [&](const PoreSoil& soil) {
+    if (grids[soil.water].pore_modulus.empty()) return;
+    PoreMotion<Dim> motion(grids[soil.field], grids[soil.water], dt);
+    press_pores(state, grids[soil.water], dt, &motion);
+  });
+}
+
+template <int Dim>
 void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
   for_each_pair(soils, [&](const PoreSoil& soil) {
     Grid<Dim>&around = grids[soil.water], &grid = grids[soil.field];
@@ -318,10 +329,11 @@ void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
   });
 }
 
-#define GEODROP_INSTANTIATE(D)                                                        \
-  template void sum_grains(const std::vector<PoreSoil>&, const State<D>&, Grids<D>&); \
-  template void share_pore_pressure(const std::vector<PoreSoil>&, double, Grids<D>&); \
-  template void drag_pore_water(const std::vector<PoreSoil>&, double, Grids<D>&);     \
+#define GEODROP_INSTANTIATE(D)                                                                \
+  template void sum_grains(const std::vector<PoreSoil>&, const State<D>&, Grids<D>&);         \
+  template void share_pore_pressure(const std::vector<PoreSoil>&, double, Grids<D>&);         \
+  template void drag_pore_water(const std::vector<PoreSoil>&, double, Grids<D>&);             \
+  template void press_pore_water(const std::vector<PoreSoil>&, double, State<D>&, Grids<D>&); \
   template void update_pore_rate(const std::vector<PoreSoil>&, Grids<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

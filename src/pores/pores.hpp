@@ -56,9 +56,15 @@ struct Consolidation {
 };
 Consolidation consolidation(const Scene& scene, const PoreSoil& soil);
 
-/// What water in the pores of each coupled soil, by the number of its body, adds to the square of its wave speed, with
-/// no drag between water and grains, the fastest case, at the start: (K_w / n) ((1 - n) / rho_s + n / rho_w) [m2/s2].
-std::map<std::size_t, double> pore_speed_squared(const Scene& scene);
+/// Waves through the water in the pores of a coupled soil.
+struct PoreWaves {
+  std::size_t water = 0;  ///< its body
+  /// What the water adds to the square of the soil's wave speed, with no drag between water and grains, the fastest
+  /// case, at the start: (K_w / n) ((1 - n) / rho_s + n / rho_w) [m2/s2].
+  double speed_squared = 0;
+};
+/// Of each coupled soil, by the number of its body.
+std::map<std::size_t, PoreWaves> pore_waves(const Scene& scene);
 
 /// Grains in the cells and drag resistance, of the soils and where the water is.
 template <int Dim>
@@ -72,6 +78,10 @@ void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Di
 /// Drag between both new nodal velocities: an impulse and its opposite.
 template <int Dim>
 void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids);
+
+/// The change of its pressure at the end of the step, of water that says so (grid/implicit_pressure).
+template <int Dim>
+void press_pore_water(const std::vector<PoreSoil>& soils, double dt, State<Dim>& state, Grids<Dim>& grids);
 
 /// Volume rate of the water in cells: that of the mixture over the volume of the water, times the share of cells that
 /// gave up pressure.

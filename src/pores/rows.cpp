@@ -1,5 +1,7 @@
 #include "rows.hpp"
 
+#include <algorithm>
+
 #include "pores.hpp"
 #include "scene/needs.hpp"
 
@@ -30,6 +32,19 @@ Row<Dim> pore_drag_row(const Scene& scene) {
 }
 
 template <int Dim>
+Row<Dim> pore_implicit_row(const Scene& scene) {
+  return {"pore_implicit",
+          Data::nodal_sums | Data::nodal_velocity | Data::velocity_change | Data::cell_volume | Data::cell_flags |
+              Data::volume_rate | Data::cut_cells | Data::pore_space,
+          Data::nodal_velocity | Data::velocity_change | Data::largest_motion,
+          std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                      [&](const BodySpec& b) { return b.implicit_pore_pressure && saturates(scene, b.name); }),
+          [soils = pore_soils(scene)](State<Dim>& s, Grids<Dim>& f, const StepContext& step) {
+            press_pore_water(soils, step.dt, s, f);
+          }};
+}
+
+template <int Dim>
 Row<Dim> pore_rate_row(const Scene& scene) {
   return {"pore_rate",
           Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::volume_rate | Data::nodal_sums,
@@ -43,6 +58,7 @@ Row<Dim> pore_rate_row(const Scene& scene) {
   template Row<D> pore_space_row<D>(const Scene&);    \
   template Row<D> pore_pressure_row<D>(const Scene&); \
   template Row<D> pore_drag_row<D>(const Scene&);     \
+  template Row<D> pore_implicit_row<D>(const Scene&); \
   template Row<D> pore_rate_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -12,6 +12,8 @@ Row<Dim> pore_pressure_row(const Scene& scene);
 template <int Dim>
 Row<Dim> pore_drag_row(const Scene& scene);
 template <int Dim>
+Row<Dim> pore_implicit_row(const Scene& scene);
+template <int Dim>
 Row<Dim> pore_rate_row(const Scene& scene);
 
 }  // namespace geodrop

@@ -100,6 +100,19 @@ double water_unit_weight(const Scene& scene, const BodySpec& water) {
   return std::get<NewtonianSpec>(find_material(scene, water.material)->model).density * g;
 }
 
+Material law_of(const Scene& scene, const BodySpec& body) {
+  Material law = make_material(*find_material(scene, body.material));
+  for (const BodySpec& soil : scene.bodies) {
+    if (soil.saturated_by != body.name) continue;
+    const CoupledSpec& pores = *std::get<MohrCoulombSpec>(find_material(scene, soil.material)->model).coupled();
+    if (pores.gas_ratio() == 0) continue;
+    auto& water = std::get<Newtonian>(law);
+    water.gas = std::max(water.gas, pores.gas_ratio());
+    water.atmosphere = pores.gas.atmospheric_pressure;
+  }
+  return law;
+}
+
 const HydrostaticSpec* still_fluid_of(const InitialStress& stress) {
   if (const auto* fluid = std::get_if<HydrostaticSpec>(&stress)) return fluid;
   if (const auto* pressure = std::get_if<FluidPressureSpec>(&stress)) return &pressure->fluid;

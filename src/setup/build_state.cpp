@@ -73,7 +73,7 @@ Body<Dim> build_body(const Scene& scene, const BodySpec& spec, const State<Dim>*
   Body<Dim> body;
   body.name = spec.name;
   body.material_name = spec.material;
-  body.material = make_material(*find_material(scene, spec.material));
+  body.material = law_of(scene, spec);
   body.pressure = spec.pressure;
   if (spec.implicit_pore_pressure) body.implicit_pores = {0};
   body.shift = spec.shift;
@@ -282,12 +282,22 @@ void enclose_fluids(const Scene& scene, const State<Dim>* earlier, State<Dim>& s
   }
 }
 
-/// Of the water in the place of a coupled soil only the share of the pores is there.
+/// Gas takes its place in a particle at the pressure that it has.
+template <int Dim>
+void add_gas(double ratio, std::size_t p, Body<Dim>& water) {
+  const auto& fluid = std::get<Newtonian>(water.material);
+  const double J = fluid_volume_ratio(fluid, fluid_pressure(fluid, water.J[p]), ratio);
+  water.mass[p] *= water.J[p] / J;
+  water.J[p] = J;
+  water.gas[p] = ratio;
+}
+
+/// Of the water in the place of a coupled soil only the share of the pores is there, and of that what gas leaves.
 template <int Dim>
 void fill_pores(const Scene& scene, const State<Dim>* earlier, State<Dim>& state) {
   for (const BodySpec& spec : scene.bodies) {
     if (spec.saturated_by.empty() || (earlier && find_or_null(earlier->bodies, spec.saturated_by))) continue;
-    const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model);
+    const CoupledSpec& pores = *std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model).coupled();
     Body<Dim>& water = find_named(state.bodies, spec.saturated_by);
     const auto inside = [](const BodySpec& body, const Point& x) { return contains(body.shape, x); };
     for (std::size_t p = 0; p < water.size(); ++p) {
@@ -295,7 +305,9 @@ void fill_pores(const Scene& scene, const State<Dim>* earlier, State<Dim>& state
       for (int a = 0; a < Dim; ++a) x[a] = water.x[a][p];
       const bool cut = std::any_of(spec.minus.begin(), spec.minus.end(),
                                    [&](const std::string& name) { return inside(*find_body(scene, name), x); });
-      if (inside(spec, x) && !cut) water.mass[p] *= soil.coupled()->porosity;
+      if (!inside(spec, x) || cut) continue;
+      water.mass[p] *= pores.porosity;
+      if (pores.gas_ratio() > 0) add_gas(pores.gas_ratio(), p, water);
     }
   }
 }

@@ -49,7 +49,7 @@ double numbers_per_particle(const Material& material) {
 /// Of the fields of particles and a copy of a frame [byte]; measured peaks are up to a third below.
 double bytes_per_particle(const Scene& scene, const BodySpec& body) {
   constexpr double number = 8, frame = 105, numbers_and_scratch = 40;
-  const Material material = make_material(*find_material(scene, body.material));
+  const Material material = law_of(scene, body);
   const double numbers = scene.dimension == 2 ? numbers_per_particle<2>(material) : numbers_per_particle<3>(material);
   return number * numbers + frame + numbers_and_scratch;
 }

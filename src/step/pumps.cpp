@@ -19,6 +19,7 @@ void pump_fluid(const std::vector<PumpSpec>& pumps, const Point& g, const StepCo
             (growth - 1) * g[a] * std::inner_product(body.mass.begin(), body.mass.end(), body.x[a].begin(), 0.0);
       for (double& m : body.mass) m *= growth;
       for (double& J : body.J) J /= growth;
+      for (double& gas : body.gas) gas /= growth;
     }
   }
 }

@@ -203,7 +203,7 @@ StepLimits::StepLimits(const Scene& scene)
     : courant(scene.solver.courant),
       end(scene.time.end),
       bounded(scene.grid.basis == Basis::bspline2 && scene.solver.mass_matrix == MassMatrix::lumped),
-      pore_speed_squared(geodrop::pore_speed_squared(scene)) {}
+      pore_waves(geodrop::pore_waves(scene)) {}
 
 /// dt = C h / (c_eff + |v|max), c_eff^2 the largest of bodies, each with the membranes of its velocity field (in one
 /// mode: safe) and the water that flows through it; viscosity: C times h^2 / (2 d nu), the limit of an explicit step
@@ -214,8 +214,10 @@ double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLa
   double c2 = 0, nu = 0;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];
-    const auto pores = limits.pore_speed_squared.find(b);
-    const double pores2 = pores == limits.pore_speed_squared.end() ? 0 : cells_to_particles * pores->second;
+    const auto pores = limits.pore_waves.find(b);
+    const bool explicit_pores =
+        pores != limits.pore_waves.end() && !implicit_pores_now(state.bodies[pores->second.water]);
+    const double pores2 = explicit_pores ? cells_to_particles * pores->second.speed_squared : 0;
     const double membranes = membranes2(state, body.field, layout.finest);
     c2 = std::max(c2, pores2 + speed_squared(body, limits.bounded, membranes));
     nu = std::max(nu, viscosity_in(body));

@@ -8,13 +8,15 @@
 #include <cstddef>
 #include <map>
 
+#include "pores/pores.hpp"
+
 namespace geodrop {
 
 struct StepLimits {
-  double courant;  ///< [-]
-  double end;      ///< of the simulated time [s]
-  bool bounded;    ///< whether particles cannot swing faster than stiffest_mode.hpp says
-  std::map<std::size_t, double> pore_speed_squared;  ///< what water that flows adds to c^2, by body [m2/s2]
+  double courant;                               ///< [-]
+  double end;                                   ///< of the simulated time [s]
+  bool bounded;                                 ///< whether particles cannot swing faster than stiffest_mode.hpp says
+  std::map<std::size_t, PoreWaves> pore_waves;  ///< by body
 
   explicit StepLimits(const Scene& scene);
 };

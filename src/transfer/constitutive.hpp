@@ -28,6 +28,8 @@ void volumes_and_pressures(const Body<Dim>& body, const Newtonian& water, std::s
     volume[k] = mass[k] * inv_rho * J[k];
     pressure[k] = K * (1 / J[k] - 1);
   }
+  if (water.has_gas())
+    for (int k = 0; k < count; ++k) pressure[k] = fluid_pressure(water, J[k], body.gas[begin + k]);
   if (!water.cavitates()) return;
   for (int k = 0; k < count; ++k) pressure[k] = std::max(pressure[k], -water.tension_cutoff);
 }
@@ -69,6 +71,9 @@ void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t b
     out.volume[k] = mass[k] * inv_rho * J[k];
     pressure_force[k] = own[k] * K * mass[k] * inv_rho * (1 - J[k]);
   }
+  if (water.has_gas())
+    for (int k = 0; k < count; ++k)
+      pressure_force[k] = own[k] * out.volume[k] * fluid_pressure(water, J[k], body.gas[begin + k]);
   if (water.cavitates())
     for (int k = 0; k < count; ++k)
       pressure_force[k] = std::max(pressure_force[k], -own[k] * out.volume[k] * water.tension_cutoff);

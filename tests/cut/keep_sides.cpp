@@ -205,17 +205,22 @@ TEST_CASE("What has moved a particle through the membrane is taken from it and l
     }
 }
 
-TEST_CASE("Light cloth and what hits it go on as one, with the momentum of both") {
-  for (const double node_mass : {0.5, 20.0}) {
+TEST_CASE("Light cloth, the water around that goes with it and what hits it go on as one, with the momentum of all") {
+  for (const auto& [node_mass, of_water] : {std::pair{0.5, 0.0}, {20.0, 0.0}, {0.5, 3.0}}) {
     CAPTURE(node_mass);
+    CAPTURE(of_water);
     OneParticle box(0, 2.9, 3.75);
     Membrane<2>& skin = box.skin();
     box.set_mass(box.inside(), node_mass);
+    if (of_water > 0) {
+      box.set_mass(box.around(), of_water);
+      box.around().cell_volume.assign(box.around().cell_volume.size(), 1.0);
+    }
     box.body.v = {Array<double>{3}, Array<double>{0}};
     keep_sides(box.state, box.grids, 0.01);
     // Splines over nodes of a metre at x = 2.75 m, a quarter off the node, and 3.75 m: sum N^2 = (sum of squares)^2.
     const double squares = 0.28125 * 0.28125 + 0.6875 * 0.6875 + 0.03125 * 0.03125;
-    const double cloth = node_mass / (squares * squares), both = 7 * 3 / (7 + cloth);
+    const double cloth = (node_mass + of_water) / (squares * squares), both = 7 * 3 / (7 + cloth);
     CHECK(box.body.v[0][0] == near(both, 1e-12));
     CHECK(std::accumulate(skin.caught[0].begin(), skin.caught[0].end(), 0.0) == near(cloth * both, 1e-11));
   }

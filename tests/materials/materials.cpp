@@ -76,6 +76,31 @@ TEST_CASE("The tension cut-off is kept at or below the apex") {
   CHECK(law.sin_psi == near(0.17364818, 4e-8));
 }
 
+TEST_CASE("Water with gas: Boyle's law by hand, one pressure for each volume, energy, the stiffest wave") {
+  Newtonian fluid{1000, 2e9, 0};
+  fluid.gas = 0.5;
+  fluid.atmosphere = 1e5;
+  CHECK(fluid_pressure(fluid, 1.5, 0.5) == near_zero(1e-6));
+  // One atmosphere more halves the gas, and presses the water by 1 / 20000.
+  CHECK(fluid_pressure(fluid, 0.25 + 1 / (1 + 5e-5), 0.5) == near(1e5, 1e-9));
+  CHECK(fluid_pressure(fluid, 0.9, 0) == near(2e9 * (1 / 0.9 - 1), 1e-12));
+  for (const double gas : {1e-6, 0.05, 0.5, 3.0})
+    for (const double p : {-9e4, -1e3, 0.0, 1e3, 2e5, 1e7}) {
+      CAPTURE(gas);
+      CAPTURE(p);
+      const double J = fluid_volume_ratio(fluid, p, gas), step = 1e-6 * J;
+      CHECK(fluid_pressure(fluid, J, gas) == within(p, 1e-7 * std::max(1e5, std::abs(p))));
+      const double slope = (fluid_energy(fluid, J + step, gas) - fluid_energy(fluid, J - step, gas)) / (2 * step);
+      CHECK(slope == within(-p, 1e-3 * (1e5 + std::abs(p))));
+      const double stiffness =
+          (fluid_pressure(fluid, J - step, gas) - fluid_pressure(fluid, J + step, gas)) / (2 * step) * J * J;
+      fluid.gas = gas;
+      CHECK(stiffness < 1.0001 * wave_modulus(fluid));  // c^2 times the density of the water
+    }
+  CHECK(fluid_energy(fluid, 1.5, 0.5) == near_zero(1e-9));
+  CHECK(fluid_pressure(fluid, 1e6, 0.5) > -1e5);
+}
+
 TEST_CASE("Water that is not torn follows K (1/J - 1); torn, it keeps its cut-off; energy is the integral of both") {
   const Newtonian whole{1000, 2e6, 0}, torn{1000, 2e6, 0, 0, 1e5};
   CHECK(fluid_pressure(whole, 0.5) == near(2e6, 1e-12));

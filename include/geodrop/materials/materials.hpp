@@ -31,6 +31,7 @@ struct StateVariables {
   Array<double> deviatoric_strain;                   ///< soil: accumulated sqrt(2/3 e:e) [-]
   Array<double> gap;                                 ///< soil with void memory: volume of open voids over its own [-]
   Array<double> eddy_length;                         ///< fluid with a mixing length: that, limited near walls [m]
+  Array<double> gas;  ///< pore water with gas: volume of that at zero pressure over the water's own [-]
 };
 
 template <int Dim>
@@ -42,7 +43,8 @@ inline constexpr auto state_variables = [] {
                     field<per_particle | scattered | gathered | shown>("pore_pressure", "Pa", &S::pore_pressure),
                     field<per_particle | gathered | shown>("deviatoric_strain", "-", &S::deviatoric_strain),
                     field<per_particle | gathered | shown_if_any>("gap", "-", &S::gap),
-                    field<per_particle | gathered>("eddy_length", "m", &S::eddy_length)};
+                    field<per_particle | gathered>("eddy_length", "m", &S::eddy_length),
+                    field<per_particle | scattered | shown_if_any>("gas", "-", &S::gas)};
 }();
 
 /// Newtonian, weakly compressible: p = K (rho / rho0 - 1), at least -tension_cutoff; deviator 2 mu dev(D).
@@ -57,14 +59,18 @@ struct NewtonianSpec {
 /// p = K (1/J - 1), deviator 2 (mu + mu_t) dev(D). J = rho0 / rho. Eddies smaller than the mixing length l mix as
 /// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963); near walls l is less, see
 /// boundary/eddy_length. Water that cavitates keeps p = -T however
-/// far it opens: p is a function of J all the same, so that voids close again without a loss of volume.
+/// far it opens: p is a function of J all the same, so that voids close again without a loss of volume. The water in
+/// the pores of a soil may have gas in it, see fluid_pressure.
 struct Newtonian {
   double density;                                                   ///< rho0 [kg/m3]
   double bulk_modulus;                                              ///< K [Pa]
   double viscosity;                                                 ///< mu [Pa s]
   double mixing_length = 0;                                         ///< l [m]; 0: no eddies
   double tension_cutoff = std::numeric_limits<double>::infinity();  ///< T [Pa]
+  double gas = 0;                                                   ///< g, the most that a particle has [-]; 0: none
+  double atmosphere = 0;                                            ///< absolute pressure where p = 0 [Pa]
 
+  bool has_gas() const { return gas > 0; }
   bool viscous() const { return viscosity > 0 || mixing_length > 0; }
   /// At J = infinity p = -K.
   bool cavitates() const { return tension_cutoff < bulk_modulus; }
@@ -72,6 +78,7 @@ struct Newtonian {
   void state(auto& points, auto f) const {
     if (viscous()) f(points.stress);
     if (mixing_length > 0) f(points.eddy_length);
+    if (has_gas()) f(points.gas);
   }
 };
 
@@ -91,9 +98,9 @@ struct LinearElastic {
   void state(auto& points, auto f) const { f(points.stress); }
 };
 
-/// Gas in the pores of an undrained soil that follows Boyle's law, see materials/pore_gas.
+/// Gas in pores that follows Boyle's law; see materials/pore_gas for undrained soil, fluid_pressure for coupled soil.
 struct PoreGasSpec {
-  double water_bulk_modulus = 0;    ///< [Pa]
+  double water_bulk_modulus = 0;    ///< of undrained soil [Pa]
   double gas_pressure = 0;          ///< absolute, at which the gas has its share of the pores [Pa]
   double atmospheric_pressure = 0;  ///< absolute, where the pore pressure is 0 [Pa]
   bool operator==(const PoreGasSpec&) const = default;
@@ -113,6 +120,13 @@ struct CoupledSpec {
   double hydraulic_conductivity = 0;  ///< k0 at that porosity [m/s]
   enum class Permeability { kozeny_carman, constant } permeability = Permeability::kozeny_carman;
   double forchheimer_coefficient = 0;  ///< b in i = q / k + b q^2 at that porosity [s2/m2]; 0: Darcy's law
+  double saturation = 1;               ///< share of the pores that water fills at the pressure of the gas [-]
+  PoreGasSpec gas = {};
+
+  /// Volume of the gas at zero pressure over that of the water [-].
+  double gas_ratio() const {
+    return saturation < 1 ? (1 - saturation) / saturation * gas.gas_pressure / gas.atmospheric_pressure : 0;
+  }
   bool operator==(const CoupledSpec&) const = default;
 };
 /// Soil that dilates or contracts until it has its critical porosity, see materials/critical_state.
@@ -279,12 +293,23 @@ double wave_modulus(const Material& material);
 /// K_f / n of undrained soil, the share of its pore water in wave_modulus; 0 of others [Pa].
 double pore_stiffness(const Material& material);
 
+/// What acts at the end of the step with an implicit pore pressure: K_f / n of undrained soil, K of pore water [Pa].
+double implicit_modulus(const Material& material);
+
 /// Speed of elastic shear waves at zero strain [m/s]; 0 in a fluid.
 double shear_wave_speed(const Material& material);
 
-/// Pressure of a fluid [Pa] and its energy per volume at zero pressure [J/m3], whose slope -dW/dJ is the pressure.
-double fluid_pressure(const Newtonian& fluid, double J);
-double fluid_energy(const Newtonian& fluid, double J);
+/// Pressure of a fluid [Pa]. With g, the volume of gas at zero pressure over that of the water, both are under one
+/// pressure (no menisci, nothing dissolves, constant temperature: Boyle's law), p_a the atmosphere's:
+///   J = 1 / (1 + p / K) + g p_a / (p_a + p)
+double fluid_pressure(const Newtonian& fluid, double J, double gas = 0);
+/// J at a pressure.
+inline double fluid_volume_ratio(const Newtonian& fluid, double pressure, double gas = 0) {
+  const double water = 1 / (1 + pressure / fluid.bulk_modulus);
+  return gas > 0 ? water + gas * fluid.atmosphere / (fluid.atmosphere + pressure) : water;
+}
+/// Energy per volume of the water at zero pressure [J/m3], 0 there; its slope -dW/dJ is the pressure.
+double fluid_energy(const Newtonian& fluid, double J, double gas = 0);
 
 /// Kinematic viscosity that limits the explicit time step [m2/s]; 0 for solids.
 double kinematic_viscosity(const Material& material);

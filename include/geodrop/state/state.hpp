@@ -47,7 +47,7 @@ inline bool implicit_pores_now(const BodySettings& body) {
 /// Moduli of a body that the next step follows explicitly.
 inline ElasticModuli explicit_moduli(const BodySettings& body) {
   ElasticModuli moduli = elastic_moduli(body.material);
-  if (implicit_pores_now(body)) moduli.bulk -= pore_stiffness(body.material);
+  if (implicit_pores_now(body)) moduli.bulk -= implicit_modulus(body.material);
   return moduli;
 }
 
@@ -56,6 +56,8 @@ template <int Dim>
 struct Body : BodySettings, Particles<Dim> {
   /// Current volume of particle p [m3], per metre of depth in 2D.
   double volume(std::size_t p) const { return this->mass[p] * this->J[p] / reference_density(material); }
+  /// Volume of gas at zero pressure over that of the water of particle p, see fluid_pressure.
+  double gas_at(std::size_t p) const { return this->gas.empty() ? 0 : this->gas[p]; }
 };
 
 /// Pressure of particle p of a body [Pa], compression positive, pore pressure included.

@@ -190,7 +190,7 @@ void check_pressure(const Scene& scene, const BodySpec& body, const std::string&
     report.add(key + ".pressure", "\"nodal\" with another basis than tri3 or tet4", "cell or particle");
 }
 
-/// Of undrained soil whose cells carry its pressure.
+/// Of undrained soil whose cells carry its pressure, or of pore water.
 void check_implicit_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   if (!body.implicit_pore_pressure) return;
   const auto refuse = [&](const std::string& found, const std::string& allowed) {
@@ -201,9 +201,12 @@ void check_implicit_pressure(const Scene& scene, const BodySpec& body, const std
   const UndrainedSpec* pores = soil ? soil->undrained() : nullptr;
   const bool known = material && report.healthy("materials." + material->name + ".model") &&
                      report.healthy("materials." + material->name + ".drainage");
-  if (known && (!pores || pores->gas))
+  const bool pore_water = saturates(scene, body.name);
+  if (pore_water && std::get<Newtonian>(law_of(scene, body)).has_gas())
+    refuse("for water with gas", "true for the water in the pores of a soil without gas");
+  else if (known && !pore_water && (!pores || pores->gas))
     refuse("for a body of \"" + body.material + '"',
-           "true for a soil with drainage = \"undrained\" and a fluid_bulk_modulus");
+           "true for a soil with drainage = \"undrained\" and a fluid_bulk_modulus, or for the water in pores");
   else if (body.pressure != PressureSupport::cell)
     refuse("where each particle carries its pressure", "true with pressure = \"cell\"");
   else if (std::find(scene.walls.lower.begin(), scene.walls.lower.end(), WallKind::periodic) != scene.walls.lower.end())

@@ -8,6 +8,7 @@ namespace {
 
 constexpr Range poisson{"> -1 and < 0.5", [](double x) { return x > -1 && x < 0.5; }};
 constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
+constexpr Range share_of_water{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
 constexpr Range suction_range{">= 0; inf: any tension", [](double x) { return x >= 0; }, true};
 
 /// What follows from the content of the pores: the density of the mixture, and the stiffness of what fills them.
@@ -19,6 +20,10 @@ void derive_mixture(MaterialSpec& material, const toml::table& written) {
     soil->density =
         mixture_density({value("grain_density"), value("porosity"), value("saturation"), value("fluid_density")});
   if (soil->critical_state) soil->critical_state->porosity = value("porosity");
+  if (auto* coupled = std::get_if<CoupledSpec>(&soil->pores); coupled && written.contains("saturation")) {
+    coupled->saturation = value("saturation");
+    coupled->gas = {0, value("gas_pressure"), value("atmospheric_pressure")};
+  }
   auto* undrained = std::get_if<UndrainedSpec>(&soil->pores);
   if (!undrained || !written.contains("saturation")) return;
   undrained->saturation = value("saturation");
@@ -83,6 +88,7 @@ gas_pressure = 1.0e5)", {
       key.given("porosity", "", required, fraction, "n, for the density of the mixture").only("grain_density&drainage=drained"),
       key.given("saturation", "", required, share, "S, share of the pores that water fills (0: dry); the rest is gas").only("grain_density&drainage=drained|undrained"),
       key.given("saturation", "", instead_of("fluid_bulk_modulus"), share, "S, share of the pores that water fills; the rest is gas. The density is as given").only("density&drainage=undrained"),
+      key.given("saturation", "", derived("nothing: no gas"), share_of_water, "S, share of the pores that water fills where the gas has gas_pressure; the rest is gas, in the body of the pore water, which follows Boyle's law. It has no weight and moves with the water; what flows in through a geotextile brings none").only("drainage=coupled"),
       key.given("fluid_density", "kg/m3", required, positive, "rho_f of the water in the pores").only("grain_density&drainage=drained|undrained"),
       key("fluid_bulk_modulus", [](MohrCoulombSpec& soil, double modulus) { std::get<UndrainedSpec>(soil.pores).fluid_bulk_modulus = modulus; }, "Pa", instead_of("saturation"), positive, "K_f of the pore fluid; K_f / n is at least 20 times the bulk modulus of the skeleton").only("density&drainage=undrained"),
       key("critical_porosity", [](MohrCoulombSpec& soil, double n) { soil.critical_state.emplace().critical_porosity = n; }, "", instead_of("dilatancy_angle_deg"), fraction, "n_c, at which the soil is sheared without a change of volume: tan(psi) = dilatancy_slope (n_c - n), tan(phi) = tan(friction_angle) + tan(psi) >= 0 (Roux & Radjai 1998; Pailha & Pouliquen 2009), 1 - n = (1 - n0) / J; loose soil contracts and raises the pressure of the water in its pores, dense soil dilates and lowers it; not with void_memory").only("drainage=drained|coupled"),
@@ -90,6 +96,8 @@ gas_pressure = 1.0e5)", {
       key.given("porosity", "", required, fraction, "n at the start, for critical_porosity").only("critical_porosity&density&drainage=drained"),
       key.given("water_bulk_modulus", "Pa", required, positive, "K_w of the water in the pores: 1 / K_f = S / K_w + (1 - S) / gas_pressure (Verruijt 1969)").only("saturation&drainage=undrained"),
       key.given("gas_pressure", "Pa", required, positive, "absolute pressure at which the gas has its share of the pores; K_f is that of small changes around it (isothermal, nothing dissolves) and stays, unless an atmospheric_pressure is given").only("saturation&drainage=undrained"),
+      key.given("gas_pressure", "Pa", required, positive, "absolute pressure at which the gas has its share of the pores").only("saturation&drainage=coupled"),
+      key.given("atmospheric_pressure", "Pa", required, positive, "absolute pressure where the pore pressure is 0").only("saturation&drainage=coupled"),
       key.given("atmospheric_pressure", "Pa", derived("nothing: K_f stays"), positive, "absolute pressure where the pore pressure is 0: the gas follows Boyle's law, half as much at twice the absolute pressure; not with void_memory, S > 0").only("saturation&drainage=undrained"),
   }, derive_mixture};
 }
