@@ -85,7 +85,8 @@ Row<Dim> interface_rate_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> keep_sides_row(const Scene& scene) {
   return {"keep_sides",
-          Data::cut_cells | Data::membrane_position | Data::membrane_velocity | Data::mass | Data::nodal_sums,
+          Data::cut_cells | Data::membrane_position | Data::membrane_velocity | Data::mass | Data::nodal_sums |
+              Data::cell_volume,
           Data::position | Data::velocity | Data::membrane_load, has_sharp_interface(scene),
           [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { keep_sides(s, f, step.dt); }};
 }
