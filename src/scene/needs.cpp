@@ -100,15 +100,21 @@ double water_unit_weight(const Scene& scene, const BodySpec& water) {
   return std::get<NewtonianSpec>(find_material(scene, water.material)->model).density * g;
 }
 
+const CoupledSpec* pores_of(const Scene& scene, const BodySpec& body) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  const auto* soil = material ? std::get_if<MohrCoulombSpec>(&material->model) : nullptr;
+  return soil ? soil->coupled() : nullptr;
+}
+
 Material law_of(const Scene& scene, const BodySpec& body) {
   Material law = make_material(*find_material(scene, body.material));
   for (const BodySpec& soil : scene.bodies) {
     if (soil.saturated_by != body.name) continue;
-    const CoupledSpec& pores = *std::get<MohrCoulombSpec>(find_material(scene, soil.material)->model).coupled();
-    if (pores.gas_ratio() == 0) continue;
-    auto& water = std::get<Newtonian>(law);
-    water.gas = std::max(water.gas, pores.gas_ratio());
-    water.atmosphere = pores.gas.atmospheric_pressure;
+    const CoupledSpec* const pores = pores_of(scene, soil);
+    auto* const water = std::get_if<Newtonian>(&law);
+    if (!pores || !water || pores->gas_ratio() == 0) continue;
+    water->gas = std::max(water->gas, pores->gas_ratio());
+    water->atmosphere = pores->gas.atmospheric_pressure;
   }
   return law;
 }

@@ -27,6 +27,9 @@ bool has_inertial_drag(const Scene& scene, const BodySpec& soil);
 /// Whether this body is the water in the pores of another.
 bool saturates(const Scene& scene, const std::string& body);
 
+/// The pores of a coupled soil; null if the body is none.
+const CoupledSpec* pores_of(const Scene& scene, const BodySpec& body);
+
 /// The law of a body: that of its material and, for the water in pores, with the gas of the soils around it.
 Material law_of(const Scene& scene, const BodySpec& body);
 

@@ -33,7 +33,7 @@ TEST_CASE("the last of several wins; an empty value removes; a table can be made
   CHECK(read_scene(every_key, {"time.end=3", "time.end=4"}).time.end == 4);
   CHECK(read_scene(every_key,
                    {"materials.sand.density=9007199254740993", "materials.sand.youngs_modulus=9007199254740993"})
-            .materials.size() == 10);  // 2^53 + 1: no double, yet a number
+            .materials.size() == 11);  // 2^53 + 1: no double, yet a number
   CHECK(read_scene(every_key, {"solver.transfer=tpic", "solver.blend_rate="}).solver.transfer == Transfer::tpic);
   const Scene moving =
       read_scene(every_key, {"bodies.bag.initial_velocity.type=uniform", "bodies.bag.initial_velocity.value=[0, -2]"});

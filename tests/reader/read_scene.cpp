@@ -78,7 +78,7 @@ TEST_CASE("numerics as written") {
 
 TEST_CASE("materials as written; a sound speed becomes a bulk modulus") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.materials.size() == 10);
+  REQUIRE(scene.materials.size() == 11);
   CHECK(model_of<NewtonianSpec>(scene, "water") == NewtonianSpec{1000, 3.6e6, 1e-3});
   CHECK(model_of<NewtonianSpec>(scene, "oil").bulk_modulus == 1e9);
   CHECK(model_of<NewtonianSpec>(scene, "oil").tension_cutoff == 1e5);
@@ -135,7 +135,7 @@ TEST_CASE("bodies as written") {
   CHECK(sea.shift_speed == 0.1);
   CHECK(sea.initial_velocity == InitialVelocity{UniformVelocitySpec{{0, 0}}});
   CHECK(sea.initial_stress == InitialStress{HydrostaticSpec{"water", 7}});
-  CHECK(sea.at.line == 152);
+  CHECK(sea.at.line == 168);
   CHECK(bed.shape == Shape{HalfPlaneShape{{0, 2}, {0, 3}}});
   CHECK(bed.initial_stress == InitialStress{K0StressSpec{2, 0.5, HydrostaticSpec{"water", 7}}});
   CHECK(bag.shape == Shape{EllipseShape{{5, 4.5}, {0.6, 1.5}, 10}});

@@ -95,6 +95,34 @@ void check_suction(const Scene& scene, const BodySpec& soil, const BodySpec& wat
              "the largest suction: 1e5 Pa under the atmosphere (absolute zero), or inf: the water never cavitates");
 }
 
+/// Gas in pores has one atmosphere, and water beside it that is stiffer; absorbing layers know of none.
+void check_gas(const Scene& scene, const BodySpec& soil, const BodySpec& water, const std::string& key,
+               Report& report) {
+  const auto atmosphere_of = [&](const BodySpec& body) {  // nothing without gas
+    const CoupledSpec* const pores = report.healthy("materials." + body.material) ? pores_of(scene, body) : nullptr;
+    return pores && pores->gas_ratio() > 0 ? pores->gas.atmospheric_pressure : 0;
+  };
+  const MaterialSpec* material = find_material(scene, water.material);
+  const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+  const double atmosphere = atmosphere_of(soil);
+  if (!fluid || atmosphere == 0) return;
+  if (fluid->bulk_modulus <= atmosphere)
+    report.add("materials." + soil.material + ".atmospheric_pressure",
+               to_text(atmosphere) + ", over the bulk modulus " + to_text(fluid->bulk_modulus) + " of \"" +
+                   water.material + '"',
+               "less than the bulk modulus of the water in the pores [Pa]");
+  const auto differs = [&](const BodySpec& other) {
+    return other.saturated_by == soil.saturated_by && atmosphere_of(other) > 0 && atmosphere_of(other) != atmosphere;
+  };
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), differs))
+    report.add(key + ".saturated_by", '"' + water.name + "\", with two atmospheric pressures of its soils",
+               "one for all soils of a body of water");
+  const auto absorbed = [&](const SilentSideSpec& side) { return side.body == water.name; };
+  if (std::any_of(scene.silent_sides.begin(), scene.silent_sides.end(), absorbed))
+    report.add(key + ".saturated_by", '"' + water.name + "\", which has gas and an absorbing layer",
+               "water without gas where a layer absorbs its waves");
+}
+
 /// Weight by cells is for pressure by cells; the weight of coupled soil stays with its particles.
 void check_weight(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   if (scene.solver.weight != Weight::cell || body.pressure == PressureSupport::cell || !body.saturated_by.empty())
@@ -119,6 +147,7 @@ void check_pores(const Scene& scene, const BodySpec& body, const std::string& ke
     if (is_simplex(scene.grid.basis))
       report.add(key + ".saturated_by", "on a grid of simplices", "a coupled soil with another basis");
     check_suction(scene, body, water, report);
+    check_gas(scene, body, water, key, report);
     return check_bagged(scene, body, water, key, report);
   }
   report.add(
