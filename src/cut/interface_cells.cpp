@@ -212,8 +212,8 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
         for (int a = 0; a < Dim; ++a) outside.slope[n][a] -= cell.inside[n][a];
       }
     }
-    // Whole cells with too little pore water, or undrained soil, for a pressure: what flows into them would be lost.
-    if (pressed.field != grid.field || !pressed.pore_volume.empty())
+    // Whole cells with too little pore water for a pressure: what flows into them would leave the bag.
+    if (pressed.field != grid.field)
       for_each_uncut(pressed.layout, grid.outline, true, [&](int flat) {
         const int host = find_host(pressed, flat, {});
         if (host >= 0 && host != flat)

@@ -113,23 +113,6 @@ TEST_CASE("Water in pores stands by itself if it fills 0.3 of what the grains le
   }
 }
 
-TEST_CASE("A whole cell inside that has lost its content joins another if the soil is undrained; else it is a void") {
-  for (const bool undrained : {true, false}) {
-    CAPTURE(undrained);
-    SharpBox box = full();
-    Grid<2>& grid = box.inside();
-    const int cell = box.flat(4, 4);
-    grid.cell_volume[cell] = 0;
-    grid.cell_flags[cell] = 0;
-    if (undrained) grid.pore_volume.assign(grid.layout.nodes(), 0.0);
-    share_interface_pressure(box.state, box.grids);
-    const auto& parts = grid.part_cells;
-    const auto found = std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.flat == cell; });
-    REQUIRE((found != parts.end()) == undrained);
-    if (undrained) CHECK(found->host == box.flat(4, 3));
-  }
-}
-
 TEST_CASE("Of a thin bag both flanks have water of their own side") {
   SharpBox box = full({4.75, 5.25, 2.75, 8.25});
   share_interface_pressure(box.state, box.grids);
