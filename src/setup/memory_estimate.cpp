@@ -18,6 +18,7 @@
 
 #include "base/text.hpp"
 #include "lattice.hpp"
+#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {
