@@ -243,7 +243,7 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     if (!fluid || body.field == waiting || body.pressure != PressureSupport::cell) continue;
     const Grid<Dim>& grid = grids[body.field];
     // Cavities close as they opened, whatever the pressure of the cell.
-    const double torn = fluid->cavitates() ? 1 / (1 - fluid->tension_cutoff / fluid->bulk_modulus)
+    const double torn = fluid->cavitates() ? fluid_volume_ratio(*fluid, -fluid->tension_cutoff)
                                            : std::numeric_limits<double>::infinity();
     // With an implicit pressure waves may go farther than a cell in a step.
     constexpr double most = 0.5;

@@ -39,23 +39,18 @@ struct PressedCells {
   CellRow<Dim> share;  ///< of soften_light_cells, times the measure of g; 0: a cell without a pore pressure
 };
 
-/// The g of parts of cells beside a sharp interface that share a pressure. If they act on the field of the grid, with
-/// what nodes of small mass hand on, as the volume rates of parts see it (carried_velocity); a medium does that itself.
+/// The g of parts of cells beside a sharp interface that share a pressure, where shares_of(node, f) has impulses go.
 template <int Dim>
-std::vector<NodeVector<Dim>> slopes_of_parts(const Grid<Dim>& grid, bool hands_on, auto first, auto last) {
+std::vector<NodeVector<Dim>> slopes_of_parts(const Grid<Dim>& grid, auto&& shares_of, auto first, auto last) {
   std::vector<NodeVector<Dim>> carried;
   for (auto part = first; part != last; ++part) {
     std::size_t n = 0;
     for_neighbourhood(grid.layout, part->flat, [&](int node, const auto&) {
       const std::array<double, Dim>& g = part->slope[n++];
-      const auto add = [&](int to, double share) {
+      shares_of(node, [&](int to, double share) {
         carried.push_back({to, g});
         for (double& component : carried.back().value) component *= part->share * share;
-      };
-      if (hands_on)
-        for_shares_of_impulse<Dim>(grid, node, add);
-      else
-        add(node, 1);
+      });
     });
   }
   add_up_by_node(carried);
@@ -83,16 +78,24 @@ class PoreSystem {
     std::vector<double> compressibility;
     const auto stores = [&](double volume, double modulus) { return volume * volume / (modulus * dt * dt); };
     find_cells(grid, stores, compressibility);
+    // As the volume rates of parts see what nodes of small mass hand on (carried_velocity); a medium does that itself.
+    const auto shares_of = [&](int node, auto&& f) {
+      if (medium_)
+        f(node, 1.0);
+      else
+        for_shares_of_impulse<Dim>(grid, node, f);
+    };
     for_each_group(grid.part_cells, [&](auto first, auto last) {
       const double modulus = sum_of_group(grid.pore_modulus, first, last);
       if (!(modulus > 0)) return;
-      parts_.push_back(slopes_of_parts(grid, !medium_, first, last));
+      parts_.push_back(slopes_of_parts(grid, shares_of, first, last));
       compressibility.push_back(stores(sum_of_group(grid.cell_volume, first, last), modulus));
     });
     compressibility_ = Eigen::Map<Eigen::VectorXd>(compressibility.data(), std::ssize(compressibility));
     if (empty()) return;
     find_nodes(grid);
     find_diagonal(grid);
+    if (medium_) leave_to_medium();
   }
 
   bool empty() const { return compressibility_.size() == 0; }
@@ -185,6 +188,13 @@ class PoreSystem {
         for (int a = 0; a < Dim; ++a) diagonal_[first_part() + r] += g[a] * g[a] * lightness_[a][node];
   }
 
+  /// A medium takes impulses, where it has mass and is not held.
+  void leave_to_medium() {
+    for_each_node([&](int node) {
+      for (std::vector<double>& component : lightness_) component[node] = component[node] > 0 ? 1 : 0;
+    });
+  }
+
   /// velocity_: what q does to nodes [m/s].
   void find_changes(const Eigen::VectorXd& q) {
     for (const auto& [at, unknown, share] : cells_)
@@ -203,7 +213,7 @@ class PoreSystem {
         const RowForce<Dim> impulse = slopes_.force(at, pressure_);
         for (int a = 0; a < Dim; ++a)
           for (int k = 0; k < at.count; ++k)
-            velocity_[a][at.begin + k] = mobility(a, at.begin + k) * (impulse[a][k] + by_parts_[a][at.begin + k]);
+            velocity_[a][at.begin + k] = lightness_[a][at.begin + k] * (impulse[a][k] + by_parts_[a][at.begin + k]);
       });
     if (medium_) medium_->respond(velocity_);
   }
@@ -226,12 +236,6 @@ class PoreSystem {
       out[first_part() + r] = sum;
     }
     return out;
-  }
-
-  /// Of the field of the grid; a medium takes impulses, where it has mass and is not held.
-  double mobility(int component, int node) const {
-    const double lightness = lightness_[component][node];
-    return medium_ && lightness > 0 ? 1 : lightness;
   }
 
   Eigen::Index first_part() const { return compressibility_.size() - std::ssize(parts_); }

@@ -96,7 +96,7 @@ double fluid_energy(const Newtonian& fluid, double J, double gas) {
     const double of_gas = gas * fluid.atmosphere * (share - 1 - std::log(share));
     return fluid_energy(fluid, fluid_volume_ratio(fluid, p)) + of_gas;
   }
-  const double torn = fluid.cavitates() ? 1 / (1 - fluid.tension_cutoff / fluid.bulk_modulus) : J;
+  const double torn = fluid.cavitates() ? fluid_volume_ratio(fluid, -fluid.tension_cutoff) : J;
   const double elastic = std::min(J, torn);
   const double stored = fluid.bulk_modulus * ((elastic - 1) - std::log1p(elastic - 1));
   return J > torn ? stored + fluid.tension_cutoff * (J - torn) : stored;

@@ -11,8 +11,8 @@ template <int Dim>
 PoreMotion<Dim>::PoreMotion(Grid<Dim>& grains, Grid<Dim>& water, double dt)
     : dt_(dt),
       bagged_(grains.outline.size() > 0),
-      grains_{&grains, {}, {}, {}},
-      water_{&water, {}, {}, {}},
+      grains_{&grains, {}, {}, {}, {}},
+      water_{&water, {}, {}, {}, {}},
       known_(water.layout.nodes(), false) {
   find_nodes();
   for (Field* field : {&grains_, &water_}) {
@@ -62,8 +62,8 @@ template <int Dim>
 void PoreMotion<Dim>::hand_on(Field& field, int component) {
   if (field.shares.empty()) return;
   std::vector<double>& impulse = field.change[component];
-  std::vector<double> given;
-  given.reserve(field.shares.size());
+  std::vector<double>& given = field.given;
+  given.clear();
   for (const Share& share : field.shares) given.push_back(share.share * impulse[share.from]);
   for (const Share& share : field.shares) impulse[share.from] = 0;
   for (std::size_t k = 0; k < given.size(); ++k) impulse[field.shares[k].to] += given[k];

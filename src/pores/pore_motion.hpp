@@ -45,6 +45,7 @@ class PoreMotion final : public Medium<Dim> {
     std::vector<bool> light;    ///< nodes whose impulses are handed on
     std::vector<Share> shares;  ///< of those
     NodeVectors<Dim> change;    ///< impulses, then velocities
+    std::vector<double> given;  ///< by shares, of the component that is handed on
   };
 
   void find_nodes();

@@ -276,8 +276,8 @@ void enclose_fluids(const Scene& scene, const State<Dim>* earlier, State<Dim>& s
     if (earlier && find_or_null(earlier->bodies, body.name)) continue;
     body.weightless_level = *std::max_element(height.begin(), height.end());
     for (std::size_t p = 0; p < body.size(); ++p) {
-      const double pressure = fluid.bulk_modulus * (1 / body.J[p] - 1);
-      body.J[p] = 1 / (1 + (pressure - body.unit_weight * (body.weightless_level - height[p])) / fluid.bulk_modulus);
+      const double of_weight = body.unit_weight * (body.weightless_level - height[p]);
+      body.J[p] = fluid_volume_ratio(fluid, fluid_pressure(fluid, body.J[p]) - of_weight);
     }
   }
 }
@@ -297,7 +297,7 @@ template <int Dim>
 void fill_pores(const Scene& scene, const State<Dim>* earlier, State<Dim>& state) {
   for (const BodySpec& spec : scene.bodies) {
     if (spec.saturated_by.empty() || (earlier && find_or_null(earlier->bodies, spec.saturated_by))) continue;
-    const CoupledSpec& pores = *std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model).coupled();
+    const CoupledSpec& pores = *pores_of(scene, spec);
     Body<Dim>& water = find_named(state.bodies, spec.saturated_by);
     const auto inside = [](const BodySpec& body, const Point& x) { return contains(body.shape, x); };
     for (std::size_t p = 0; p < water.size(); ++p) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "materials/laws.hpp"
+#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {
@@ -51,7 +52,7 @@ StressAt stress_at(const Scene& scene, const InitialStress& initial, double dens
 template <int Dim>
 void set_fluid(const Newtonian& water, const StressAt& at, Body<Dim>& body, std::size_t p) {
   const double volume = body.J[p];
-  body.J[p] = 1 / (1 + at.fluid_pressure / water.bulk_modulus);
+  body.J[p] = fluid_volume_ratio(water, at.fluid_pressure);
   body.mass[p] = water.density * volume / body.J[p];
 }
 
@@ -107,8 +108,7 @@ void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
 double water_in_pores(const Scene& scene, const BodySpec& spec) {
   const BodySpec* water = find_body(scene, spec.saturated_by);
   if (!water) return 0;
-  const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, spec.material)->model);
-  return soil.coupled()->porosity * fluid_of(scene, water->material).density;
+  return pores_of(scene, spec)->porosity * fluid_of(scene, water->material).density;
 }
 
 }  // namespace

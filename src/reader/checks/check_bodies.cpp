@@ -230,14 +230,11 @@ void check_implicit_pressure(const Scene& scene, const BodySpec& body, const std
   const UndrainedSpec* pores = soil ? soil->undrained() : nullptr;
   const bool known = material && report.healthy("materials." + material->name + ".model") &&
                      report.healthy("materials." + material->name + ".drainage");
-  const bool pore_water = known && saturates(scene, body.name);
-  const auto brings_gas = [&](const BodySpec& other) {
-    const CoupledSpec* const around = other.saturated_by == body.name ? pores_of(scene, other) : nullptr;
-    return around && around->gas_ratio() > 0;
-  };
-  if (pore_water && std::any_of(scene.bodies.begin(), scene.bodies.end(), brings_gas))
+  const bool pore_water =
+      known && saturates(scene, body.name) && std::holds_alternative<NewtonianSpec>(material->model);
+  if (pore_water && std::get<Newtonian>(law_of(scene, body)).has_gas())
     refuse("for water with gas", "true for the water in the pores of a soil without gas");
-  else if (known && !(pore_water && std::holds_alternative<NewtonianSpec>(material->model)) && (!pores || pores->gas))
+  else if (known && !pore_water && (!pores || pores->gas))
     refuse("for a body of \"" + body.material + '"',
            "true for a soil with drainage = \"undrained\" and a fluid_bulk_modulus, or for the water in pores");
   else if (body.pressure != PressureSupport::cell)
