@@ -37,7 +37,7 @@ Row<2> seep_row(const Scene& scene) {
   return {"seep",
           Data::cut_cells | Data::position | Data::volume_ratio | Data::membranes | Data::membrane_position |
               Data::water_traction,
-          Data::mass | Data::velocity,
+          Data::mass | Data::velocity | Data::volume_ratio | Data::material_state,
           std::any_of(scene.membranes.begin(), scene.membranes.end(),
                       [](const MembraneSpec& membrane) { return membrane.permittivity > 0; }),
           [](State<2>& s, const Grids<2>& f, const StepContext& step) { seep(s, f, step.dt); }};
