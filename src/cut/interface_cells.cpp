@@ -151,6 +151,15 @@ Grid<Dim>& pressed_field(const Membrane<Dim>& membrane, Grids<Dim>& grids) {
   return grids[water < 0 ? membrane.field : water];
 }
 
+/// The fields inside a sharp membrane whose cells have a pressure: that above, and that of a skeleton by itself.
+template <int Dim>
+std::vector<int> fields_inside(const Membrane<Dim>& membrane, Grids<Dim>& grids) {
+  std::vector<int> fields{pressed_field(membrane, grids).field};
+  if (const Grid<Dim>& grid = grids[membrane.field]; grid.field != fields.front() && grid.largest_modulus > 0)
+    fields.push_back(grid.field);
+  return fields;
+}
+
 /// What the last step left in cells beside an interface, in blocks that may not be active any more.
 template <int Dim>
 void forget_cells(Grids<Dim>& grids) {
@@ -196,37 +205,40 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
   for (Grid<Dim>& grid : grids) lists.emplace_back(grid);
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    const Grid<Dim>&grid = grids[membrane.field], &pressed = pressed_field(membrane, grids);
+    const Grid<Dim>& grid = grids[membrane.field];
+    const std::vector<int> inner = fields_inside(membrane, grids);
     for (const CutCell<Dim>& cell : cut_cells_of(grid, membrane)) {
-      PartCell<Dim>& inside = lists[pressed.field].at(cell.flat, cell.inside);
-      std::array<double, Dim> inwards;
-      for (int a = 0; a < Dim; ++a) inwards[a] = -cell.normal[a];
-      inside.host = find_host(pressed, cell.flat, inwards);
       const CellSpans<Dim> spans = spans_of(around.layout, cell.flat);
       PartCell<Dim>& outside = lists.front().at(cell.flat, whole_cell(spans));
       outside.host = is_wet(around, cell.flat) ? find_host(around, cell.flat, cell.normal) : -1;
       const SplineVolumes<Dim> whole = whole_value(spans);
       for (int n = 0; n < nodes_around<Dim>; ++n) {
-        inside.elsewhere[n] += whole[n] - cell.value[n];
         outside.elsewhere[n] += cell.value[n];
         for (int a = 0; a < Dim; ++a) outside.slope[n][a] -= cell.inside[n][a];
       }
+      std::array<double, Dim> inwards;
+      for (int a = 0; a < Dim; ++a) inwards[a] = -cell.normal[a];
+      for (const int field : inner) {
+        PartCell<Dim>& inside = lists[field].at(cell.flat, cell.inside);
+        inside.host = find_host(grids[field], cell.flat, inwards);
+        for (int n = 0; n < nodes_around<Dim>; ++n) inside.elsewhere[n] += whole[n] - cell.value[n];
+      }
     }
     // Whole cells with too little pore water for a pressure: what flows into them would leave the bag.
-    if (pressed.field != grid.field)
-      for_each_uncut(pressed.layout, grid.outline, true, [&](int flat) {
-        const int host = find_host(pressed, flat, {});
-        if (host >= 0 && host != flat)
-          lists[pressed.field].at(flat, whole_cell(spans_of(pressed.layout, flat))).host = host;
+    if (const int water = grid.pore_water; water > 0)
+      for_each_uncut(grid.layout, grid.outline, true, [&](int flat) {
+        const int host = find_host(grids[water], flat, {});
+        if (host >= 0 && host != flat) lists[water].at(flat, whole_cell(spans_of(grid.layout, flat))).host = host;
       });
     // Cells of the other field, and particles that strayed there.
-    const auto take_in_strays = [&](const Grid<Dim>& field, PartList<Dim>& list, bool inside) {
-      for_each_uncut(field.layout, grid.outline, inside, [&](int flat) {
-        if (field.cell_volume[flat] > 0) list.at(flat, Slope<Dim>{}).host = find_host(field, flat, {});
+    const auto take_in_strays = [&](int field, bool inside) {
+      for_each_uncut(grid.layout, grid.outline, inside, [&](int flat) {
+        if (grids[field].cell_volume[flat] > 0)
+          lists[field].at(flat, Slope<Dim>{}).host = find_host(grids[field], flat, {});
       });
     };
-    take_in_strays(pressed, lists[pressed.field], false);
-    take_in_strays(around, lists.front(), true);
+    for (const int field : inner) take_in_strays(field, false);
+    take_in_strays(0, true);
   }
   for (std::size_t f = 0; f < grids.size(); ++f) {
     if (grids[f].part_cells.empty()) continue;

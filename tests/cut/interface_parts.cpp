@@ -150,6 +150,33 @@ TEST_CASE("What has nothing beside it leaves the pressure to its particles") {
   CHECK(around.cell_flags[cell] == 0);
 }
 
+TEST_CASE("Of coupled soil skeleton and pore water have parts of their own; one with the pressure of particles has none") {
+  for (const bool of_cells : {true, false}) {
+    CAPTURE(of_cells);
+    SharpBox box = full();
+    Grid<2> water = box.inside();
+    box.inside().largest_modulus = of_cells ? 2e6 : 0;
+    box.inside().pore_water = water.field = 2;
+    box.grids.push_back(water);
+    cut_interface_cells(box.state, box.grids);
+    Grid<2>&skeleton = box.inside(), &pores = box.grids[2];
+    pores.cell_volume[box.flat(3, 4)] = 0.1;  // too little of its own; the skeleton has enough
+    skeleton.cell_pressure[box.flat(5, 4)] = 2e3;
+    skeleton.cell_pressure[box.flat(6, 4)] = 8e3;
+    share_interface_pressure(box.state, box.grids);
+    CHECK(box.part(pores, 3, 4).host == box.flat(4, 4));
+    REQUIRE(skeleton.part_cells.empty() != of_cells);
+    if (!of_cells) continue;
+    CHECK(box.part(skeleton, 3, 4).host == box.flat(3, 4));
+    for (const int column : {3, 6}) {
+      const PartCell<2>&one = box.part(skeleton, column, 4), &other = box.part(pores, column, 4);
+      CHECK(one.slope == other.slope);
+      CHECK(one.elsewhere == other.elsewhere);
+    }
+    CHECK(skeleton.cell_pressure[box.flat(6, 4)] == near((2e3 * 1 + 8e3 * 0.3) / 1.3, 1e-13));
+  }
+}
+
 TEST_CASE("int grad N over the part of a cell inside, by hand; the part outside has the rest of the cell") {
   for (const Sense sense : {Sense::anticlockwise, Sense::clockwise}) {
     SharpBox box({}, sense);

@@ -100,3 +100,16 @@ TEST_CASE("soil in a bag that keeps the volume by which it opens is told, and vo
   CHECK(all_notes_of(bag(zero, still), {"still_fluids.0.surface=9.5", "materials.sand.dilatancy_angle_deg=5"}).empty());
   CHECK(all_notes_of(bag(zero, "")).empty());
 }
+
+TEST_CASE("coupled soil is told which pressure suits it: that of particles, in a sharp membrane that of cells") {
+  const auto notes = [](const char* scene, const std::string& setting) {
+    std::string all;
+    for (const std::string& note : scene_notes(read_scene(test::source_path(scene), {setting}))) all += note + '\n';
+    return all;
+  };
+  const char *const column = "cases/verification/terzaghi.toml", *const bag = "cases/dump_kekerdom.toml";
+  CHECK(contains(notes(column, "bodies.soil.pressure='cell'"), "take pressure = \"particle\""));
+  CHECK_FALSE(contains(notes(column, "bodies.soil.pressure='particle'"), "pressure = "));
+  CHECK(contains(notes(bag, "bodies.container.pressure='particle'"), "take pressure = \"cell\" in a sharp membrane"));
+  CHECK_FALSE(contains(notes(bag, "bodies.container.pressure='cell'"), "pressure = "));
+}

@@ -69,9 +69,6 @@ void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& wate
     return report.add(key + ".saturated_by", '"' + water.name + "\", the body of a sharp membrane",
                       "the soil as the body of that membrane");
   if (!in_sharp_membrane(scene, soil.name)) return;
-  if (soil.pressure != PressureSupport::particle)
-    report.add(key + ".pressure", "the pressure of cells for a coupled soil in a sharp membrane",
-               "\"particle\" there: its pore water has that of cells");
   if (has_inertial_drag(scene, soil))
     report.add("materials." + soil.material + ".forchheimer_coefficient",
                "Forchheimer's drag for \"" + soil.name + "\" in a sharp membrane", "0 there: Darcy's law");
