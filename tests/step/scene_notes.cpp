@@ -104,7 +104,7 @@ TEST_CASE("soil in a bag that keeps the volume by which it opens is told, and vo
 TEST_CASE("coupled soil is told which pressure suits it: that of particles, in a sharp membrane that of cells") {
   const auto notes = [](const char* scene, const std::string& setting) {
     std::string all;
-    for (const std::string& note : scene_notes(read_scene(test::source_path(scene), {setting}))) all += note + '\n';
+    for (const std::string& note : scene_notes(read_scene(source_path(scene), {setting}))) all += note + '\n';
     return all;
   };
   const char *const column = "cases/verification/terzaghi.toml", *const bag = "cases/dump_kekerdom.toml";
