@@ -3,6 +3,7 @@
 #include <geodrop/step/run.hpp>
 
 #include "pores/pores.hpp"
+#include "scene/needs.hpp"
 #include "solutions/initial_stress.hpp"
 
 #include <fmt/core.h>

@@ -150,7 +150,8 @@ TEST_CASE("What has nothing beside it leaves the pressure to its particles") {
   CHECK(around.cell_flags[cell] == 0);
 }
 
-TEST_CASE("Of coupled soil skeleton and pore water have parts of their own; one with the pressure of particles has none") {
+TEST_CASE(
+    "Of coupled soil skeleton and pore water have parts each; a skeleton with the pressure of particles has none") {
   for (const bool of_cells : {true, false}) {
     CAPTURE(of_cells);
     SharpBox box = full();
