@@ -202,6 +202,8 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
       return add_array(grid.cell_flags, hash);
     case Data::volume_rate:
       return add_array(grid.volume_rate, hash);
+    case Data::crowding:
+      return add_array(grid.crowding, hash);
     case Data::nodal_pressure:
       return hash.add(grid.node_volume, grid.node_pressure, grid.node_rate);
     case Data::rigid_share:
@@ -254,6 +256,7 @@ constexpr std::string_view names[] = {"time",
                                       "cell pressure",
                                       "cell flags",
                                       "volume rate of cells",
+                                      "crowding of cells",
                                       "nodal pressure",
                                       "enclosed cells",
                                       "cut cells",

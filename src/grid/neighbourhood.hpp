@@ -76,4 +76,26 @@ bool far_from_walls(const GridLayout<Dim>& layout, int count, const std::array<i
   return true;
 }
 
+/// For each cell of a row whether filled(flat) holds in its whole neighbourhood.
+template <int Dim, class F>
+std::array<bool, GridLayout<Dim>::block_width[0]> all_around(const GridLayout<Dim>& layout, int begin, int count,
+                                                             std::array<int, Dim> cell, F&& filled) {
+  std::array<bool, GridLayout<Dim>::block_width[0]> all;
+  all.fill(true);
+  if (!far_from_walls<Dim>(layout, count, cell)) {
+    for (int k = 0; k < count; ++k, ++cell[0])
+      for_neighbourhood(layout, begin + k, [&](int, const std::array<int, Dim>& a) {
+        all[k] = all[k] && filled(mirrored<Dim>(layout, cell, a));
+      });
+    return all;
+  }
+  std::array<bool, GridLayout<Dim>::block_width[0] + 2> column;  // cells beside each other across x, from begin - 1 on
+  column.fill(true);
+  for_rows_around<Dim>(layout, [&](int offset, int, int) {
+    for (int k = 0; k < count + 2; ++k) column[k] = column[k] && filled(begin + offset + k - 1);
+  });
+  for (int k = 0; k < count; ++k) all[k] = column[k] && column[k + 1] && column[k + 2];
+  return all;
+}
+
 }  // namespace geodrop

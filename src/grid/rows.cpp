@@ -8,6 +8,7 @@
 
 #include "cell_pressure.hpp"
 #include "checkerboard.hpp"
+#include "crowding.hpp"
 #include "implicit_pressure.hpp"
 #include "mass_correction.hpp"
 #include "momentum.hpp"
@@ -108,6 +109,14 @@ Row<Dim> volume_rate_row(const Scene& scene) {
           })};
 }
 
+template <int Dim>
+Row<Dim> crowding_row(const Scene& scene) {
+  return {"crowding", Data::nodal_velocity | Data::cell_flags, Data::crowding, any_body_makes_room(scene),
+          each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) {
+            if (!g.crowding.empty()) find_crowding(g);
+          })};
+}
+
 #define GEODROP_INSTANTIATE(D)                              \
   template Row<D> sort_particles_row<D>(const Scene&);      \
   template Row<D> fold_walls_row<D>(const Scene&);          \
@@ -115,7 +124,8 @@ Row<Dim> volume_rate_row(const Scene& scene) {
   template Row<D> mass_correction_row<D>(const Scene&);     \
   template Row<D> filter_checkerboard_row<D>(const Scene&); \
   template Row<D> implicit_pressure_row<D>(const Scene&);   \
-  template Row<D> volume_rate_row<D>(const Scene&);
+  template Row<D> volume_rate_row<D>(const Scene&);         \
+  template Row<D> crowding_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

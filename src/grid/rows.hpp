@@ -19,5 +19,7 @@ template <int Dim>
 Row<Dim> implicit_pressure_row(const Scene& scene);
 template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene);
+template <int Dim>
+Row<Dim> crowding_row(const Scene& scene);
 
 }  // namespace geodrop

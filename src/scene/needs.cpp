@@ -13,6 +13,11 @@ bool any_body_shifts(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) { return body.shift; });
 }
 
+bool any_body_makes_room(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const BodySpec& body) { return body.shift && body.shift_speed > 0; });
+}
+
 bool any_body_with(const Scene& scene, PressureSupport pressure) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
                      [&](const BodySpec& body) { return body.pressure == pressure; });

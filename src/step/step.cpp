@@ -67,6 +67,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     volume_rate_row<Dim>,
     pore_rate_row<Dim>,
     interface_rate_row<Dim>,
+    crowding_row<Dim>,
     nodal_rate_row<Dim>,
     enclosed_rate_row<Dim>,
     hold_shift_row,

@@ -73,8 +73,8 @@ Row<Dim> nodal_rate_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> grid_to_particles_row(const Scene& scene) {
   return {"grid_to_particles",
-          Data::nodal_velocity | Data::velocity_change | Data::volume_rate | Data::cell_flags | Data::cell_pressure |
-              Data::nodal_pressure | Data::enclosed_cells | Data::stage,
+          Data::nodal_velocity | Data::velocity_change | Data::volume_rate | Data::crowding | Data::cell_flags |
+              Data::cell_pressure | Data::nodal_pressure | Data::enclosed_cells | Data::stage,
           Data::position | Data::velocity | Data::affine_rate | Data::volume_ratio | Data::stress |
               Data::material_state | Data::largest_motion,
           true, [solver = scene.solver](State<Dim>& s, Grids<Dim>& f, const StepContext& step) {

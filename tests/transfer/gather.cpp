@@ -180,6 +180,7 @@ TEST_CASE("Water shifts down the gradient of the fill ratio by h dt (|v| + v0), 
   Grid<2> grid = make_grid<2>([] {
     Scene scene = box_scene<2>(8, h, WallKind::slip);
     scene.bodies[0].shift = true;
+    scene.bodies[0].shift_speed = 0.5;
     return scene;
   }());
   const double slope = 0.2;  // of the fill ratio along x [1/m]
@@ -196,4 +197,36 @@ TEST_CASE("Water shifts down the gradient of the fill ratio by h dt (|v| + v0), 
   CHECK(body.x[0][0] == near(0.6 + 3 * dt + step, 1e-13));
   CHECK(body.v[1][0] == near(4 + 2 * 0.6 + 2 * step, 1e-13));
   CHECK(body.x[0][1] == near(3.0 + 3 * dt, 1e-13));
+}
+
+TEST_CASE("Water that shifts shrinks where it is crowded, by 30 v0^2 / (h c), and grows where it is thin") {
+  Grid<2> grid = make_grid<2>([] {
+    Scene scene = box_scene<2>(8, h, WallKind::slip);
+    scene.bodies[0].shift = true;
+    scene.bodies[0].shift_speed = 0.5;
+    return scene;
+  }());
+  for_each_node(grid.layout, 2, [&](int flat, const std::array<int, 2>& i) {
+    grid.velocity[flat] = Vec4{0, 0, 0, 1};
+    grid.cell_flags[flat] = cell_filled | cell_shiftable;
+    grid.volume_rate[flat] = 0.1;
+    grid.crowding[flat] = i[0] < 4 ? 0.04 : -0.02;
+  });
+  const Newtonian water{1000, 2e6, 0};
+  Body<2> body = blank_body<2>(water, 2);
+  body.shift = true;
+  body.shift_speed = 0.5;
+  body.x = {Array<double>{0.6, 3.0}, Array<double>{2, 2}};
+  const double rate = 30 * 0.5 * 0.5 / (h * std::sqrt(2e6 / 1000));
+  SUBCASE("pressure of cells") {
+    body.pressure = PressureSupport::cell;
+    gather<2>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 2);
+    CHECK(body.J[0] == near(1 + dt * (0.1 - 0.04 * rate), 1e-13));
+    CHECK(body.J[1] == near(1 + dt * (0.1 + 0.02 * rate), 1e-13));
+  }
+  SUBCASE("pressure of particles") {
+    body.pressure = PressureSupport::particle;
+    gather<2>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 2);
+    CHECK(body.J[0] == near(1 - dt * 0.04 * rate, 1e-13));
+  }
 }

@@ -53,6 +53,7 @@ enum class Data : std::uint8_t {
   cell_pressure,
   cell_flags,
   volume_rate,
+  crowding,
   nodal_pressure,
   enclosed_cells,
   cut_cells,

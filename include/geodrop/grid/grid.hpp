@@ -229,7 +229,8 @@ enum : unsigned {
   for_inertial_drag = 32768,   ///< coupled soils with Forchheimer's drag
   for_inertial_water = 65536,  ///< the fluid in their pores
   for_implicit = 131072,       ///< undrained soils whose pore pressure is found at the end of the step
-  for_undrained = 262144       ///< undrained soils whose pore pressure follows their law
+  for_undrained = 262144,      ///< undrained soils whose pore pressure follows their law
+  for_crowding = 524288        ///< fluids that shift with a speed of their own
 };
 }  // namespace grid_role
 
@@ -249,6 +250,7 @@ struct GridFields {
   Array<double> pore_volume;    ///< sum of the volumes of undrained soil in a cell, pore pressure by its law [m3]
   Array<double> cell_pressure;  ///< P_c [Pa]; 0 unless filled
   Array<double> volume_rate;    ///< D_c [1/s]
+  Array<double> crowding;       ///< fill ratio of a cell beyond what smooth flow and rest scatter by, see grid/crowding [-]
   Array<std::uint8_t> cell_flags;
 
   Array<double> node_volume;    ///< sum N V_p [m3]
@@ -288,6 +290,7 @@ inline constexpr auto grid_fields = [] {
                     field<for_undrained | summed>("pore_volume", "m3", &G::pore_volume),
                     field<for_cells | summed>("cell_pressure", "Pa", &G::cell_pressure),
                     field<for_cells | zero_asleep>("volume_rate", "1/s", &G::volume_rate),
+                    field<for_crowding | zero_asleep>("crowding", "-", &G::crowding),
                     field<for_cells | zero_asleep>("cell_flags", "-", &G::cell_flags),
                     field<for_nodal | summed>("node_volume", "m3", &G::node_volume),
                     field<for_nodal | summed>("node_pressure", "Pa", &G::node_pressure),

@@ -60,7 +60,7 @@ initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effe
       key("layers", &BodySpec::layers, "", standard("1"), bands, "horizontal bands that colour the picture"),
       key("implicit_pore_pressure", &BodySpec::implicit_pore_pressure, standard("false"), "pore pressure of undrained soil, or of the water that saturates a coupled one, at the end of the step (implicit Euler): the time step follows the skeleton alone, however stiff the water in the pores is"),
       key("shift", &BodySpec::shift, standard("false"), "move particles out of clumps and into voids (fluids only)"),
-      key("shift_speed", &BodySpec::shift_speed, "m/s", standard("0.0"), not_negative, "v0, shifting of a particle at rest"),
+      key("shift_speed", &BodySpec::shift_speed, "m/s", standard("0.0"), not_negative, "v0, shifting of a particle at rest; with it fluids keep their volume where they splash (docs/step.md, crowding)"),
   }};
 }
 // clang-format on
