@@ -51,7 +51,8 @@ TEST_CASE_TEMPLATE("Crowding is what the fill ratio passes 1 by, but for 3 perce
 TEST_CASE_TEMPLATE("Cells at walls and in corners crowd as those inside", Size, std::integral_constant<int, 2>,
                    std::integral_constant<int, 3>) {
   constexpr int Dim = Size::value;
-  for (const Scene& scene : {box_scene<Dim>(6, h, WallKind::slip), graded_scene<Dim>(6, h, WallKind::slip)}) {
+  for (const Scene& scene : {box_scene<Dim>(6, h, WallKind::slip), box_scene<Dim>(6, h, WallKind::no_slip),
+                             graded_scene<Dim>(6, h, WallKind::slip), graded_scene<Dim>(6, h, WallKind::no_slip)}) {
     Grid<Dim> grid = full_box<Dim>(scene, [](const std::array<int, Dim>&) { return 1.05; });
     find_crowding(grid);
     const int last = grid.layout.cells[0];
