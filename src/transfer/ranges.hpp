@@ -68,13 +68,39 @@ void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const Chu
   }
 }
 
-/// D_p -= 30 v0^2 / (h c) crowding of the cell: what is squeezed pushes its surroundings away, what has more room than
-/// volume draws them in. A cell evens its pressure out within h / c: that of 1 % is of 0.3 rho v0^2 or less.
+/// D_p -= 10 v0^2 / (h c) crowding of the cell: what is squeezed pushes its surroundings away, what has more room than
+/// volume draws them in. A cell evens its pressure out within h / c: that of 1 % is of 0.1 rho v0^2 or less.
 template <int Dim, class Basis>
 void make_room(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, double dt,
                int count, ChunkRates<Dim>& rates) {
-  const double v0 = body.shift_speed, share = 30 * dt * v0 * v0 / (grid.layout.h * wave_speed(body.material));
+  const double v0 = body.shift_speed, share = 10 * dt * v0 * v0 / (grid.layout.h * wave_speed(body.material));
   for (int k = 0; k < count; ++k) rates.volume[k] -= share * grid.crowding[pressure_cell(grid.layout, weights, k)];
+}
+
+/// What det(I + dt L) has beyond 1 + dt tr L.
+template <int Dim>
+void add_higher_terms(int count, ChunkRates<Dim>& rates) {
+  const auto& a = rates.increment;
+  const auto minor = [&a](int i, int j, int k) {
+    return a[i * Dim + i][k] * a[j * Dim + j][k] - a[i * Dim + j][k] * a[j * Dim + i][k];
+  };
+#pragma omp simd
+  for (int k = 0; k < count; ++k) {
+    if constexpr (Dim == 2)
+      rates.volume[k] += minor(0, 1, k);
+    else
+      rates.volume[k] += minor(0, 1, k) + minor(1, 2, k) + minor(2, 0, k) + a[0][k] * minor(1, 2, k) +
+                         a[1][k] * (a[5][k] * a[6][k] - a[3][k] * a[8][k]) +
+                         a[2][k] * (a[3][k] * a[7][k] - a[4][k] * a[6][k]);
+  }
+}
+
+/// Whether the volume of a body follows det(I + dt L). In pores the grains rule what room there is, an enclosed fluid
+/// takes its rate from the area of its membrane.
+template <int Dim>
+bool moves_as_fluid(const Body<Dim>& body, const Grid<Dim>& grid) {
+  return std::holds_alternative<Newtonian>(body.material) && body.pressure != PressureSupport::enclosed &&
+         grid.pore_share.empty();
 }
 
 /// Particles shift by a share of the width of their own span, not of h.
@@ -110,6 +136,7 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
         store_affine(body, rates, scale, p, count);
     }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
+    if (moves_as_fluid(body, grid)) add_higher_terms<Dim>(count, rates);
     if (body.shift_speed > 0) make_room<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);
     if constexpr (is_graded<Basis>)
