@@ -36,20 +36,6 @@ void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
   });
 }
 
-constexpr double binomial[3] = {0.25, 0.5, 0.25};
-
-template <int Dim>
-double smoothed_near_wall(const GridLayout<Dim>& layout, const Array<double>& fill, const std::array<int, Dim>& cell,
-                          int flat) {
-  double sum = 0;
-  for_neighbourhood(layout, flat, [&](int, const std::array<int, Dim>& a) {
-    double weight = 1;
-    for (int axis = 0; axis < Dim; ++axis) weight *= binomial[a[axis]];
-    sum += weight * fill[mirrored<Dim>(layout, cell, a)];
-  });
-  return sum;
-}
-
 /// Beside a rigid surface each particle has its own pressure, which ends where the contact force acts; the mean of a
 /// cell would act up to the cell's faces (water beside a half-plane: 0.30 m/s of rms velocity instead of 0.012).
 template <int Dim>
@@ -65,7 +51,7 @@ std::array<double, GridLayout<Dim>::block_width[0]> smoothed_fill(const GridLayo
                                                                   std::array<int, Dim> cell) {
   std::array<double, GridLayout<Dim>::block_width[0]> smooth{};
   if (!far_from_walls<Dim>(layout, count, cell)) {
-    for (int k = 0; k < count; ++k, ++cell[0]) smooth[k] = smoothed_near_wall<Dim>(layout, fill, cell, begin + k);
+    for (int k = 0; k < count; ++k, ++cell[0]) smooth[k] = binomial_mean<Dim>(layout, cell, [&fill](int flat) { return fill[flat]; });
     return smooth;
   }
   for_rows_around<Dim>(layout, [&](int offset, int y, int z) {

@@ -58,6 +58,20 @@ void for_neighbourhood(const GridLayout<Dim>& layout, int flat, F&& f) {
       }
 }
 
+inline constexpr double binomial[3] = {0.25, 0.5, 0.25};
+
+/// Of value(flat) over the neighbourhood of a node or cell, walls folded in.
+template <int Dim, class F>
+double binomial_mean(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, F&& value) {
+  double mean = 0;
+  for_neighbourhood(layout, 0, [&](int, const std::array<int, Dim>& a) {
+    double weight = 1;
+    for (int axis = 0; axis < Dim; ++axis) weight *= binomial[a[axis]];
+    mean += weight * value(mirrored<Dim>(layout, cell, a));
+  });
+  return mean;
+}
+
 /// Calls f(offset of the row, y, z) for the rows along x around a node or cell; y, z in {0, 1, 2} (2D: z = 1 only).
 template <int Dim, class F>
 void for_rows_around(const GridLayout<Dim>& layout, F&& f) {
