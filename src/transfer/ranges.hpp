@@ -137,7 +137,7 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
     }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     if (moves_as_fluid(body, grid)) add_higher_terms<Dim>(count, rates);
-    if (body.shift_speed > 0) make_room<Dim, Basis>(body, grid, weights, options.dt, count, rates);
+    if (body.shift && body.shift_speed > 0) make_room<Dim, Basis>(body, grid, weights, options.dt, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);
     if constexpr (is_graded<Basis>)
       if (body.shift) scale_to_spans<Dim>(weights, grid.layout.inv_h, count, rates);

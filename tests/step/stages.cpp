@@ -20,13 +20,21 @@ Names stages(const std::string& scene_file, const std::vector<std::string>& over
 
 const Names elastic = {"sort_particles", "clear_grid",        "particles_to_grid", "fold_walls",
                        "momentum",       "grid_to_particles", "grid_to_tracers"};
-const Names water = {"sort_particles", "clear_grid", "cell_pressure", "particles_to_grid",
-                     "fold_walls",     "momentum",   "volume_rate",   "grid_to_particles"};
+const Names water = {"sort_particles", "clear_grid",  "cell_pressure", "particles_to_grid", "fold_walls",
+                     "momentum",       "volume_rate", "crowding",      "grid_to_particles"};
 
 }  // namespace
 
 TEST_CASE("Water has cell pressure, and neither membranes nor tracers") {
   CHECK(stages("cases/hydrostatic_column.toml") == water);
+}
+
+TEST_CASE("Water crowds where it shifts with a speed of its own") {
+  for (const std::string setting : {"bodies.water.shift=false", "bodies.water.shift_speed=0.0"}) {
+    CAPTURE(setting);
+    const Names rows = stages("cases/hydrostatic_column.toml", {setting});
+    CHECK(std::count(rows.begin(), rows.end(), "crowding") == 0);
+  }
 }
 
 TEST_CASE("Elastic solids with particle pressure have no stage of cells") {
@@ -53,7 +61,8 @@ TEST_CASE("Drag of a membrane is a stage where its coefficient is not 0") {
 TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
   CHECK(stages("cases/dump_kekerdom_mixture.toml") ==
         Names{"sort_particles", "clear_grid", "cell_pressure", "filter_checkerboard", "particles_to_grid",
-              "membranes_to_grid", "fold_walls", "momentum", "volume_rate", "grid_to_particles", "grid_to_membranes"});
+              "membranes_to_grid", "fold_walls", "momentum", "volume_rate", "crowding", "grid_to_particles",
+              "grid_to_membranes"});
 }
 
 TEST_CASE("A body force is a stage of its own, for manufactured solutions only") {
