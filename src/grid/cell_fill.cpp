@@ -44,6 +44,26 @@ bool cut_by_rigid(const Grid<Dim>& grid, int flat) {
   return !grid.rigid_cells.empty() && grid.rigid_cells[flat] > least;
 }
 
+/// Binomially smoothed fill ratio of cells along x.
+template <int Dim>
+std::array<double, GridLayout<Dim>::block_width[0]> smoothed_fill(const GridLayout<Dim>& layout,
+                                                                  const Array<double>& fill, int begin, int count,
+                                                                  std::array<int, Dim> cell) {
+  std::array<double, GridLayout<Dim>::block_width[0]> smooth{};
+  if (!far_from_walls<Dim>(layout, count, cell)) {
+    for (int k = 0; k < count; ++k, ++cell[0])
+      smooth[k] = binomial_mean<Dim>(layout, cell, [&fill](int flat) { return fill[flat]; });
+    return smooth;
+  }
+  for_rows_around<Dim>(layout, [&](int offset, int y, int z) {
+    const double weight = binomial[y] * (Dim == 3 ? binomial[z] : 1.0);
+    const double* const row = fill.data() + begin + offset;
+    for (int k = 0; k < count; ++k)
+      smooth[k] += weight * (binomial[0] * (row[k - 1] + row[k + 1]) + binomial[1] * row[k]);
+  });
+  return smooth;
+}
+
 /// Cells near a membrane do not shift: a shifted particle could slip through it. A sharp one keeps sides.
 template <int Dim>
 void block_shift_near_membranes(const State<Dim>& state, Grid<Dim>& grid) {
@@ -99,7 +119,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
   Array<double>& fill = grid.volume_rate;  // free until the volume rate is computed
   raw_fill(grid, fill);
   for_each_active_real_row(grid, [&](int begin, int count, const std::array<int, Dim>& cell) {
-    const auto smooth = binomial_means<Dim>(grid.layout, begin, count, cell, [&fill](int at) { return fill[at]; });
+    const auto smooth = smoothed_fill<Dim>(grid.layout, fill, begin, count, cell);
     for (int k = 0; k < count; ++k) {
       const int flat = begin + k;
       const bool holds = grid.cell_volume[flat] > 0, shared = !grid.taken.empty() && grid.taken[flat] > 0;

@@ -90,23 +90,6 @@ bool far_from_walls(const GridLayout<Dim>& layout, int count, const std::array<i
   return true;
 }
 
-/// Binomial means of value(flat) over the neighbourhoods of cells along x.
-template <int Dim, class F>
-std::array<double, GridLayout<Dim>::block_width[0]> binomial_means(const GridLayout<Dim>& layout, int begin, int count,
-                                                                   std::array<int, Dim> cell, F&& value) {
-  std::array<double, GridLayout<Dim>::block_width[0]> mean{};
-  if (!far_from_walls<Dim>(layout, count, cell)) {
-    for (int k = 0; k < count; ++k, ++cell[0]) mean[k] = binomial_mean<Dim>(layout, cell, value);
-    return mean;
-  }
-  for_rows_around<Dim>(layout, [&](int offset, int y, int z) {
-    const double weight = binomial[y] * (Dim == 3 ? binomial[z] : 1.0);
-    for (int x = 0; x < 3; ++x)
-      for (int k = 0; k < count; ++k) mean[k] += weight * binomial[x] * value(begin + offset + k + x - 1);
-  });
-  return mean;
-}
-
 /// For each cell of a row whether filled(flat) holds in its whole neighbourhood.
 template <int Dim, class F>
 std::array<bool, GridLayout<Dim>::block_width[0]> all_around(const GridLayout<Dim>& layout, int begin, int count,

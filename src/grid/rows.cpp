@@ -22,7 +22,8 @@ Row<Dim> sort_particles_row(const Scene&) {
                                    Data::mass | Data::volume_ratio | Data::stress | Data::material_state;
   constexpr DataSet of_sleeping_blocks = Data::nodal_sums | Data::nodal_force | Data::nodal_velocity |
                                          Data::velocity_change | Data::cell_volume | Data::cell_pressure |
-                                         Data::volume_rate | Data::cell_flags | Data::nodal_pressure | Data::pore_space;
+                                         Data::volume_rate | Data::crowding | Data::cell_flags | Data::nodal_pressure |
+                                         Data::pore_space;
   return {"sort_particles", Data::largest_motion | Data::membrane_position | Data::viscous_boundaries | Data::position,
           of_particles | of_sleeping_blocks | Data::largest_motion | Data::active_blocks, true,
           [](State<Dim>& s, Grids<Dim>& f, const StepContext&) { sort_particles_if_due(s, f); }};

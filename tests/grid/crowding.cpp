@@ -39,7 +39,8 @@ std::array<int, Dim> at(int i, int j) {
 TEST_CASE_TEMPLATE("Crowding is what the fill ratio passes 1 by, but for 3 percent", Size,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
   constexpr int Dim = Size::value;
-  Grid<Dim> grid = full_box<Dim>(box_scene<Dim>(8, h, WallKind::slip), [](const std::array<int, Dim>& i) { return 1 + 0.02 * (i[0] - 4); });
+  Grid<Dim> grid = full_box<Dim>(box_scene<Dim>(8, h, WallKind::slip),
+                                 [](const std::array<int, Dim>& i) { return 1 + 0.02 * (i[0] - 4); });
   find_crowding(grid);
   const auto crowding = [&](int i) { return grid.crowding[grid.layout.index(at<Dim>(i, 3))]; };
   CHECK(crowding(2) == near(-0.01, 1e-13));  // the fill ratio is 0.96

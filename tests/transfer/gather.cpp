@@ -208,7 +208,8 @@ TEST_CASE_TEMPLATE("The volume of a fluid follows the determinant of the motion,
   field.put(grid, 2);
   for (const bool fluid : {true, false}) {
     CAPTURE(fluid);
-    Body<Dim> body = fluid ? blank_body<Dim>(Newtonian{1000, 2e6, 0}, 1) : blank_body<Dim>(LinearElastic{1000, 1e6, 5e5}, 1);
+    Body<Dim> body =
+        fluid ? blank_body<Dim>(Newtonian{1000, 2e6, 0}, 1) : blank_body<Dim>(LinearElastic{1000, 1e6, 5e5}, 1);
     body.pressure = PressureSupport::particle;
     for (int a = 0; a < Dim; ++a) body.x[a][0] = 2.1;
     gather<Dim>(body, grid, {Transfer::tpic, dt, 0, 1}, 0, 1);

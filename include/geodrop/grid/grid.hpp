@@ -250,7 +250,7 @@ struct GridFields {
   Array<double> pore_volume;    ///< sum of the volumes of undrained soil in a cell, pore pressure by its law [m3]
   Array<double> cell_pressure;  ///< P_c [Pa]; 0 unless filled
   Array<double> volume_rate;    ///< D_c [1/s]
-  Array<double> crowding;       ///< fill ratio of a cell beyond what smooth flow and rest scatter by, see grid/crowding [-]
+  Array<double> crowding;  ///< fill ratio of a cell beyond what smooth flow and rest scatter by, see grid/crowding [-]
   Array<std::uint8_t> cell_flags;
 
   Array<double> node_volume;    ///< sum N V_p [m3]
