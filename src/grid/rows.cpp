@@ -112,7 +112,8 @@ Row<Dim> volume_rate_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> crowding_row(const Scene& scene) {
-  return {"crowding", Data::nodal_velocity | Data::cell_flags, Data::crowding, any_body_makes_room(scene),
+  return {"crowding", Data::nodal_velocity | Data::cell_flags, Data::crowding,
+          std::ranges::any_of(scene.bodies, makes_room),
           each_field<Dim>([](const State<Dim>&, Grid<Dim>& g, const StepContext&) {
             if (!g.crowding.empty()) find_crowding(g);
           })};

@@ -13,10 +13,7 @@ bool any_body_shifts(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) { return body.shift; });
 }
 
-bool any_body_makes_room(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const BodySpec& body) { return body.shift && body.shift_speed > 0; });
-}
+bool makes_room(const BodySpec& body) { return body.shift && body.shift_speed > 0; }
 
 bool any_body_with(const Scene& scene, PressureSupport pressure) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),

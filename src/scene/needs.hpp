@@ -7,8 +7,8 @@ namespace geodrop {
 
 bool any_body_shifts(const Scene& scene);
 
-/// Whether one of them has a `shift_speed`, with which its volume follows the room that it has.
-bool any_body_makes_room(const Scene& scene);
+/// Whether a body shifts with a `shift_speed`: its volume follows the room that it has.
+bool makes_room(const BodySpec& body);
 bool any_body_with(const Scene& scene, PressureSupport pressure);
 bool any_contact_of(const Scene& scene, ContactPair::Kind kind);
 

@@ -71,10 +71,16 @@ void take_averaged_rates(const Body<Dim>& body, const Grid<Dim>& grid, const Chu
 /// D_p -= 10 v0^2 / (h c) crowding of the cell: what is squeezed pushes its surroundings away, what has more room than
 /// volume draws them in. A cell evens its pressure out within h / c: that of 1 % is of 0.1 rho v0^2 or less.
 template <int Dim, class Basis>
-void make_room(const Body<Dim>& body, const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, double dt,
-               int count, ChunkRates<Dim>& rates) {
-  const double v0 = body.shift_speed, share = 10 * dt * v0 * v0 / (grid.layout.h * wave_speed(body.material));
+void make_room(const Grid<Dim>& grid, const ChunkWeights<Dim, Basis>& weights, double share, int count,
+               ChunkRates<Dim>& rates) {
   for (int k = 0; k < count; ++k) rates.volume[k] -= share * grid.crowding[pressure_cell(grid.layout, weights, k)];
+}
+
+/// 10 dt v0^2 / (h c), 0 for a body that makes no room [-].
+template <int Dim>
+double share_of_crowding(const Body<Dim>& body, double h, double dt) {
+  const double v0 = body.shift ? body.shift_speed : 0.0;
+  return v0 > 0 ? 10 * dt * v0 * v0 / (h * wave_speed(body.material)) : 0.0;
 }
 
 /// What det(I + dt L) has beyond 1 + dt tr L.
@@ -118,6 +124,8 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
   alignas(64) double old_x[Dim][chunk_size];
   Maxima maxima;
   const NextChunk<Dim> next = next_to<particle_role::gathered>(body);
+  const bool fluid = moves_as_fluid(body, grid);
+  const double share = share_of_crowding(body, grid.layout.h, options.dt);
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     for (int a = 0; a < Dim; ++a) std::copy_n(body.x[a].data() + p, count, old_x[a]);
@@ -136,8 +144,8 @@ Maxima gather_range(Body<Dim>& body, const Grid<Dim>& grid, const GatherOptions&
         store_affine(body, rates, scale, p, count);
     }
     take_averaged_rates<Dim, Basis>(body, grid, weights, options.dt, count, rates);
-    if (moves_as_fluid(body, grid)) add_higher_terms<Dim>(count, rates);
-    if (body.shift && body.shift_speed > 0) make_room<Dim, Basis>(body, grid, weights, options.dt, count, rates);
+    if (fluid) add_higher_terms<Dim>(count, rates);
+    if (share > 0) make_room<Dim, Basis>(grid, weights, share, count, rates);
     move_chunk<Dim, transfer>(body, options, rates, p, count);
     if constexpr (is_graded<Basis>)
       if (body.shift) scale_to_spans<Dim>(weights, grid.layout.inv_h, count, rates);
