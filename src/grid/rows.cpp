@@ -13,6 +13,7 @@
 #include "mass_correction.hpp"
 #include "momentum.hpp"
 #include "sort_particles.hpp"
+#include "spread_particles.hpp"
 
 namespace geodrop {
 
@@ -119,6 +120,15 @@ Row<Dim> crowding_row(const Scene& scene) {
           })};
 }
 
+template <int Dim>
+Row<Dim> spread_particles_row(const Scene& scene) {
+  return {"spread_particles",
+          Data::largest_motion | Data::position | Data::affine_rate | Data::mass | Data::volume_ratio |
+              Data::cell_flags | Data::cut_cells | Data::rigid_share | Data::pore_space,
+          Data::position | Data::velocity | Data::largest_motion, any_body_shifts(scene),
+          [](State<Dim>& s, const Grids<Dim>& f, const StepContext&) { spread_particles_if_due(s, f); }};
+}
+
 #define GEODROP_INSTANTIATE(D)                              \
   template Row<D> sort_particles_row<D>(const Scene&);      \
   template Row<D> fold_walls_row<D>(const Scene&);          \
@@ -127,7 +137,8 @@ Row<Dim> crowding_row(const Scene& scene) {
   template Row<D> filter_checkerboard_row<D>(const Scene&); \
   template Row<D> implicit_pressure_row<D>(const Scene&);   \
   template Row<D> volume_rate_row<D>(const Scene&);         \
-  template Row<D> crowding_row<D>(const Scene&);
+  template Row<D> crowding_row<D>(const Scene&);            \
+  template Row<D> spread_particles_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

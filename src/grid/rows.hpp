@@ -21,5 +21,7 @@ template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene);
 template <int Dim>
 Row<Dim> crowding_row(const Scene& scene);
+template <int Dim>
+Row<Dim> spread_particles_row(const Scene& scene);
 
 }  // namespace geodrop

@@ -73,6 +73,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     hold_shift_row,
     eddy_length_row<Dim>,
     grid_to_particles_row<Dim>,
+    spread_particles_row<Dim>,
     silent_sides_row,
     grid_to_membranes_row<Dim>,
     keep_sides_row<Dim>,

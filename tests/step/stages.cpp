@@ -21,7 +21,7 @@ Names stages(const std::string& scene_file, const std::vector<std::string>& over
 const Names elastic = {"sort_particles", "clear_grid",        "particles_to_grid", "fold_walls",
                        "momentum",       "grid_to_particles", "grid_to_tracers"};
 const Names water = {"sort_particles", "clear_grid",  "cell_pressure", "particles_to_grid", "fold_walls",
-                     "momentum",       "volume_rate", "crowding",      "grid_to_particles"};
+                     "momentum",       "volume_rate", "crowding",      "grid_to_particles", "spread_particles"};
 
 }  // namespace
 
@@ -62,7 +62,7 @@ TEST_CASE("As a mixture the main case has membranes on top of cell pressure") {
   CHECK(stages("cases/dump_kekerdom_mixture.toml") ==
         Names{"sort_particles", "clear_grid", "cell_pressure", "filter_checkerboard", "particles_to_grid",
               "membranes_to_grid", "fold_walls", "momentum", "volume_rate", "crowding", "grid_to_particles",
-              "grid_to_membranes"});
+              "spread_particles", "grid_to_membranes"});
 }
 
 TEST_CASE("A body force is a stage of its own, for manufactured solutions only") {
