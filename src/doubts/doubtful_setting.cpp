@@ -99,7 +99,8 @@ std::string coarse_content_doubt(const Scene& scene, const BodySpec& body) {
 
 /// Only particles of cells all of whose neighbours are full are shifted (transfer/gather).
 std::string shift_doubt(const Scene& scene, const BodySpec& body) {
-  if (!body.shift) return {};
+  if (!body.shift)
+    return body.shift_speed > 0 ? "bodies." + body.name + ".shift_speed acts on nothing: shift is false" : "";
   constexpr double least_cells = 4;
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   double fewest = std::numeric_limits<double>::infinity();

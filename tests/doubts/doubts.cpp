@@ -105,6 +105,8 @@ TEST_CASE("Numbers out of scale, and output that fills the disk") {
   CHECK(contains(joined({"grid.refine=[]"}, "cases/dump_kekerdom.toml"),
                  "bodies.pore_water.shift moves few particles or none: the body is 2"));
   CHECK_FALSE(contains(joined({}, "cases/dump_kekerdom.toml"), ".shift"));
+  CHECK(contains(joined({"bodies.water.shift=false"}, "cases/dump_kekerdom.toml"),
+                 "bodies.water.shift_speed acts on nothing: shift is false"));
   const std::string frames = main_case({"output.frame_interval=1e-6"});  // of 7 s
   CHECK(contains(frames, "output.frame_interval = 1e-06 s asks for 7e+06 frames of about "));
   CHECK_FALSE(contains(frames, "GB"));  // the trial of `check` knows how many steps there are
