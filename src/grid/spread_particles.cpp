@@ -13,6 +13,7 @@ namespace {
 constexpr int passes = 2;
 constexpr double share_of_overlap = 0.25;  // that a pass takes from each of two particles
 constexpr double longest_push = 0.1;       // of the size of a particle
+constexpr double least_part = 1e-9;        // of a cell: less is round-off
 
 /// Points in grid coordinates: the particles of a body, then their images.
 template <int Dim>
@@ -40,20 +41,21 @@ double width(const GridLayout<Dim>& layout, int axis, int node) {
   return layout.span_width(axis, node) * layout.h;
 }
 
-/// Whether particles of a cell stay where they are: within two cells of a surface, and where another body has a part of
-/// the cell.
+/// Whether particles of a cell stay where they are: within two cells of a surface, beside a rigid body, whose contact
+/// force they would be pushed against, and where another body has a part of the cell.
 template <int Dim>
 bool is_held(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
   std::array<int, Dim> cell = node;
   for (int& coordinate : cell) coordinate += GridLayout<Dim>::pad;
   bool held = false;
   for_neighbourhood(grid.layout, 0, [&](int, const std::array<int, Dim>& a) {
-    held = held || !(grid.cell_flags[mirrored<Dim>(grid.layout, cell, a)] & cell_shiftable);
+    const int other = mirrored<Dim>(grid.layout, cell, a);
+    held = held || !(grid.cell_flags[other] & cell_shiftable) ||
+           (!grid.rigid_cells.empty() && grid.rigid_cells[other] > least_part);
   });
   const int flat = grid.layout.index(node);
-  for (const Array<double>* others : {&grid.taken, &grid.rigid_cells, &grid.occupied})
-    held = held || (!others->empty() && (*others)[flat] > 0);
-  return held;
+  return held || (!grid.taken.empty() && grid.taken[flat] > least_part) ||
+         (!grid.occupied.empty() && grid.occupied[flat] > 0);
 }
 
 /// Places and sizes of the particles of a body; returns which of them may move.

@@ -18,8 +18,9 @@ inline constexpr double spread_every_cells = 0.25;
 /// s = (V_p / V_c)^(1/Dim), and twice
 ///   dq_p = sum_q (s_pq - |r|)/4 r/|r|,  r = q_p - q_q,  s_pq = (s_p + s_q)/2,
 /// over all that are closer than s_pq, images beyond walls and periodic seams included, at most s_p/10. Particles push,
-/// but do not move themselves, in cells that have a neighbour that is not shiftable or that another body has a part of.
-/// The velocity follows its gradient, v_p += C_p dx. In a lattice nothing is closer than s: it stays as it is.
+/// but do not move themselves, in cells that have a neighbour that is not shiftable or rigid, or that another body has
+/// a part of. The velocity follows its gradient, v_p += C_p dx. In a lattice nothing is closer than s: it stays as it
+/// is.
 template <int Dim>
 void spread_particles_if_due(State<Dim>& state, const Grids<Dim>& grids);
 

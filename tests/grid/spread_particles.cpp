@@ -141,11 +141,18 @@ TEST_CASE("What is held pushes, but does not move: at the surface, beside other 
   };
   CHECK(moved([](Grid<2>&, int) {}));
   CHECK_FALSE(moved([](Grid<2>& grid, int cell) { grid.cell_flags[cell - 1] = cell_filled; }));
-  for (Array<double> Grid<2>::*const share : {&Grid<2>::taken, &Grid<2>::rigid_cells, &Grid<2>::occupied})
-    CHECK_FALSE(moved([share](Grid<2>& grid, int cell) {
+  const auto moved_beside = [&](Array<double> Grid<2>::*share, int cells_away) {
+    return moved([&](Grid<2>& grid, int cell) {
       (grid.*share).assign(grid.layout.nodes(), 0.0);
-      (grid.*share)[cell] = 0.01;
-    }));
+      (grid.*share)[cell - cells_away] = 0.01;
+    });
+  };
+  for (Array<double> Grid<2>::*const share : {&Grid<2>::taken, &Grid<2>::occupied}) {
+    CHECK_FALSE(moved_beside(share, 0));
+    CHECK(moved_beside(share, 1));
+  }
+  CHECK_FALSE(moved_beside(&Grid<2>::rigid_cells, 1));
+  CHECK(moved_beside(&Grid<2>::rigid_cells, 2));
 }
 
 TEST_CASE_TEMPLATE("The velocity follows its gradient, and the centre of mass stays", Size,
