@@ -73,9 +73,10 @@ Array<std::uint8_t> find_points(const Grid<Dim>& grid, const Body<Dim>& body, Po
     std::array<int, Dim> cell;
     double measure = 1;
     for (int a = 0; a < Dim; ++a) {
-      cell[a] = layout.base(a, body.x[a][p]);
+      const double x = layout.wrapped(a, body.x[a][p]);
+      cell[a] = layout.base(a, x);
       const double w = width(layout, a, cell[a]);
-      points.q[a][p] = cell[a] + (body.x[a][p] - layout.node(a, cell[a])) / w;
+      points.q[a][p] = cell[a] + (x - layout.node(a, cell[a])) / w;
       measure *= w;
     }
     const double share = body.mass[p] * body.J[p] / (density * measure);
@@ -122,7 +123,7 @@ class Bins {
  public:
   Bins(const Points<Dim>& points, double per_cell) {
     std::array<int, Dim> first;
-    int bins = 1;
+    std::ptrdiff_t bins = 1;
     const auto bin_of = [&](double q) { return static_cast<int>(std::floor(q * per_cell)); };
     for (int a = 0; a < Dim; ++a) {
       const auto [least, most] = std::minmax_element(points.q[a].begin(), points.q[a].end());
@@ -134,7 +135,7 @@ class Bins {
     Array<std::uint32_t> keys(n);
     begin_.assign(bins + 1, 0);
     for (std::size_t p = 0; p < n; ++p) {
-      int key = 0;
+      std::ptrdiff_t key = 0;
       for (int a = 0; a < Dim; ++a) key += (bin_of(points.q[a][p]) - first[a]) * stride_[a];
       keys[p] = static_cast<std::uint32_t>(key);
       ++begin_[key + 1];
@@ -147,9 +148,9 @@ class Bins {
     for (std::size_t k = 0; k < n; ++k) sorted_.size[k] = points.size[id_[k]];
   }
 
-  int count() const { return static_cast<int>(begin_.size()) - 1; }
-  std::size_t begin(int bin) const { return begin_[bin]; }
-  std::size_t end(int bin) const { return begin_[bin + 1]; }
+  std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(begin_.size()) - 1; }
+  std::size_t begin(std::ptrdiff_t bin) const { return begin_[bin]; }
+  std::size_t end(std::ptrdiff_t bin) const { return begin_[bin + 1]; }
   std::uint32_t id(std::size_t k) const { return id_[k]; }  ///< of the sorted point k
   const Points<Dim>& sorted() const { return sorted_; }
 
@@ -163,23 +164,23 @@ class Bins {
 
   /// f(begin, end) for the sorted points of each row of the bins around one that is not at the margin.
   template <class F>
-  void for_rows_around(int bin, F&& f) const {
+  void for_rows_around(std::ptrdiff_t bin, F&& f) const {
     for (int z = Dim == 3 ? -1 : 0; z <= (Dim == 3 ? 1 : 0); ++z)
       for (int y = -1; y <= 1; ++y) {
-        const int row = bin + y * stride_[1] + (Dim == 3 ? z * stride_[Dim - 1] : 0);
+        const std::ptrdiff_t row = bin + y * stride_[1] + (Dim == 3 ? z * stride_[Dim - 1] : 0);
         f(begin(row - 1), end(row + 1));
       }
   }
 
  private:
-  std::array<int, Dim> stride_{};
+  std::array<std::ptrdiff_t, Dim> stride_{};
   Array<std::uint32_t> begin_, id_;
   Points<Dim> sorted_;
 };
 
 /// What pushes the sorted point k of a bin [cells].
 template <int Dim>
-std::array<double, Dim> push_on(const Bins<Dim>& bins, int bin, std::size_t k) {
+std::array<double, Dim> push_on(const Bins<Dim>& bins, std::ptrdiff_t bin, std::size_t k) {
   const Points<Dim>& points = bins.sorted();
   std::array<double, Dim> at, push{};
   for (int a = 0; a < Dim; ++a) at[a] = points.q[a][k];
@@ -211,9 +212,9 @@ template <int Dim>
 void push_once(const Array<std::uint8_t>& free, const std::vector<Image>& images, Bins<Dim>& bins,
                Points<Dim>& points) {
   bins.take_places(points);
-  const int n = bins.count();
+  const std::ptrdiff_t n = bins.count();
 #pragma omp parallel for schedule(dynamic, 256)
-  for (int bin = 0; bin < n; ++bin)
+  for (std::ptrdiff_t bin = 0; bin < n; ++bin)
     for (std::size_t k = bins.begin(bin); k < bins.end(bin); ++k) {
       const std::uint32_t p = bins.id(k);
       if (p >= free.size() || !free[p]) continue;
@@ -229,7 +230,7 @@ void move_particle(const GridLayout<Dim>& layout, const std::array<double, Dim>&
   std::array<double, Dim> dx;
   for (int a = 0; a < Dim; ++a) {
     const double x = body.x[a][p];
-    double to = x + dq[a] * width(layout, a, layout.base(a, x));
+    double to = x + dq[a] * width(layout, a, layout.base(a, layout.wrapped(a, x)));
     if (!layout.periodic(a)) to = std::clamp(to, layout.lower[a], layout.upper[a]);
     dx[a] = to - x;
     body.x[a][p] = to;

@@ -128,6 +128,9 @@ TEST_CASE_TEMPLATE("Walls and corners push as an image does, seams as the other 
   spread_particles(joined, body);
   CHECK(body.x[0][0] == near((0.2 + 0.3 * 3 / 8) * size, 1e-12));
   CHECK(body.x[0][1] == near(4 - (0.5 + 0.3 * 3 / 8) * size, 1e-12));
+  body = row_of<Dim>({4 + 2.2 * size, 1.5 * size}, 2.1);  // beyond a seam until the next sort
+  spread_particles(joined, body);
+  CHECK(body.x[0][0] == near(4 + (2.2 + 0.3 * 3 / 8) * size, 1e-12));
 }
 
 TEST_CASE("What is held pushes, but does not move: at the surface, beside other bodies, in soil") {
