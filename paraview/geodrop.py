@@ -17,7 +17,6 @@ Needs numpy and nothing else.
 import base64
 import json
 import xml.etree.ElementTree as ElementTree
-import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -110,6 +109,37 @@ def decode(text, head, compressed):
     table = numpy.frombuffer(base64.b64decode(text[:letters((3 + blocks) * size)]), head)
     raw, at, out = base64.b64decode(text[letters((3 + blocks) * size):]), 0, b""
     for length in table[3:3 + blocks]:
-        out += zlib.decompress(raw[at:at + int(length)])
+        out += decompress(raw[at:at + int(length)])
         at += int(length)
     return out
+
+
+def decompress(block):
+    """The bytes of an LZ4 block: sequences of new bytes, each followed by bytes that stood `back` before."""
+    out, at = bytearray(), 0
+
+    def length(size):
+        nonlocal at
+        if size == 15:  # goes on in the next bytes, as long as these are full
+            while block[at] == 255:
+                size += 255
+                at += 1
+            size += block[at]
+            at += 1
+        return size
+
+    while True:
+        token = block[at]
+        at += 1
+        new = length(token >> 4)
+        out += block[at:at + new]
+        at += new
+        if at == len(block):  # the last sequence has no copy
+            return bytes(out)
+        back = block[at] | block[at + 1] << 8
+        at += 2
+        count, begin = 4 + length(token & 15), len(out) - back
+        while count > 0:  # a copy that overlaps itself repeats
+            piece = out[begin:begin + count]
+            out += piece
+            count -= len(piece)

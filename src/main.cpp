@@ -65,9 +65,10 @@ std::vector<std::string> typed_command(int argc, char** argv) {
 }
 
 /// libgomp reads how long a waiting thread spins before the program can say so; hence one restart with the answer.
-/// Where threads have to sleep at each loop a step of the main case takes 1.3 to 1.6 times as long on an idle virtual
-/// machine (1000 spins: 2.1 to 2.6 s for 264 steps, 100000: 1.6 s, one thread: 2.0 s); where they spin beside other
-/// busy processes, 15 times as long. A run that may take fewer threads notices the latter (step/thread_choice).
+/// Where threads have to sleep at each loop a step of the main case takes 1.4 to 1.6 times as long on an idle virtual
+/// machine (h = 0.25 m, 1144 steps: 7.5 s; 5.4 s where they sleep in stages on one thread, 100,000 spins; 5.0 s where
+/// they never do); where they spin beside other busy processes, 15 times as long. A run that may take fewer threads
+/// notices the latter (step/thread_choice).
 void restart_with_patience(char** argv) {
   if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
   bool run = false, exact = false;
@@ -75,7 +76,7 @@ void restart_with_patience(char** argv) {
     run = run || (word == argv + 1 && std::string(*word) == "run");
     exact = exact || std::string(*word) == geodrop::exact_threads;
   }
-  setenv("GOMP_SPINCOUNT", run && !exact ? "100000" : "1000", 1);
+  setenv("GOMP_SPINCOUNT", run && !exact ? "1000000" : "1000", 1);
   execv("/proc/self/exe", argv);
 }
 

@@ -31,7 +31,7 @@ template <int Dim>
 std::vector<RowsOfContact<Dim>> rows_of(const Grids<Dim>& grids, const std::vector<Contact<Dim>>& contacts) {
   std::vector<RowsOfContact<Dim>> rows(contacts.size());
   const auto count = static_cast<std::ptrdiff_t>(contacts.size());
-#pragma omp parallel for schedule(dynamic, 16)
+#pragma omp parallel for schedule(dynamic, 4)
   for (std::ptrdiff_t c = 0; c < count; ++c) rows[c] = rows_of(grids, contacts[c]);
   return rows;
 }

@@ -63,7 +63,7 @@ struct Output<Dim>::Parts {
         frames_due(scene.output.frame_interval),
         checkpoints_due(scene.checkpoints.every),
         history{history_columns(scene), {}},
-        frames(directory, scene.output.compress ? Compression::zlib : Compression::none,
+        frames(directory, scene.output.compress ? Compression::lz4 : Compression::none,
                resumed ? resumed->checkpoint.output.frame_times : std::vector<double>{}),
         checkpoints(directory) {
     identity.started = date_and_time();

@@ -155,11 +155,12 @@ std::string try_to_write(vtkXMLWriter* writer, vtkDataObject* data, const std::s
   writer->SetFileName(path.c_str());
   writer->SetInputDataObject(data);
   writer->SetDataModeToBinary();
+  // A frame of the main case costs two threads 20 ms with LZ4, 50 ms with zlib, whose files are a third smaller.
   if (compression == Compression::none)
     writer->SetCompressorTypeToNone();
   else
-    writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);  // 5, VTK's own, gives files that are 4 % smaller
+    writer->SetCompressorTypeToLZ4();
+  writer->SetCompressionLevel(9);  // of 1 to 9; 1 gives files that are a fifth larger in the same time
   writer->Write();
   const unsigned long code = writer->GetErrorCode();
   return code != vtkErrorCode::NoError || !reported.empty() ? describe(code, reported) : std::string();

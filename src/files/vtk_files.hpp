@@ -9,7 +9,7 @@
 
 namespace geodrop {
 
-enum class Compression { none, zlib };
+enum class Compression { none, lz4 };
 
 /// "particles_000012.vtu"
 std::string frame_file_name(const std::string& kind, std::size_t index, const std::string& extension);

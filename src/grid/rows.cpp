@@ -9,7 +9,6 @@
 #include "cell_pressure.hpp"
 #include "checkerboard.hpp"
 #include "crowding.hpp"
-#include "implicit_pressure.hpp"
 #include "mass_correction.hpp"
 #include "momentum.hpp"
 #include "sort_particles.hpp"
@@ -89,20 +88,6 @@ Row<Dim> filter_checkerboard_row(const Scene& scene) {
 }
 
 template <int Dim>
-Row<Dim> implicit_pressure_row(const Scene& scene) {
-  return {"implicit_pressure",
-          Data::nodal_sums | Data::nodal_velocity | Data::velocity_change | Data::cell_volume | Data::cell_flags |
-              Data::volume_rate | Data::cut_cells,
-          Data::nodal_velocity | Data::velocity_change | Data::largest_motion,
-          std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                      [&](const BodySpec& b) { return b.implicit_pore_pressure && !saturates(scene, b.name); }),
-          [](State<Dim>& state, Grids<Dim>& grids, const StepContext& step) {
-            for (Grid<Dim>& grid : grids)
-              if (!grid.pore_modulus.empty() && grid.pore_share.empty()) press_pores(state, grid, step.dt);
-          }};
-}
-
-template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene) {
   return {"volume_rate", Data::nodal_velocity | Data::cell_volume | Data::cell_flags | Data::volume_rate,
           Data::volume_rate, any_body_with(scene, PressureSupport::cell),
@@ -135,7 +120,6 @@ Row<Dim> spread_particles_row(const Scene& scene) {
   template Row<D> momentum_row<D>(const Scene&);            \
   template Row<D> mass_correction_row<D>(const Scene&);     \
   template Row<D> filter_checkerboard_row<D>(const Scene&); \
-  template Row<D> implicit_pressure_row<D>(const Scene&);   \
   template Row<D> volume_rate_row<D>(const Scene&);         \
   template Row<D> crowding_row<D>(const Scene&);            \
   template Row<D> spread_particles_row<D>(const Scene&);

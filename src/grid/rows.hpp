@@ -16,8 +16,6 @@ Row<Dim> mass_correction_row(const Scene& scene);
 template <int Dim>
 Row<Dim> filter_checkerboard_row(const Scene& scene);
 template <int Dim>
-Row<Dim> implicit_pressure_row(const Scene& scene);
-template <int Dim>
 Row<Dim> volume_rate_row(const Scene& scene);
 template <int Dim>
 Row<Dim> crowding_row(const Scene& scene);

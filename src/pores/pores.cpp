@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "base/side_by_side.hpp"
 #include "cut/interface_cells.hpp"
 #include "grid/blocks.hpp"
 #include "grid/cell_pressure.hpp"
@@ -310,12 +312,24 @@ void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& 
 }
 
 template <int Dim>
-void press_pore_water(const std::vector<PoreSoil>& soils, double dt, State<Dim>& state, Grids<Dim>& grids) {
+void press_implicitly(const std::vector<PoreSoil>& soils, double dt, State<Dim>& state, Grids<Dim>& grids) {
+  std::vector<std::function<void()>> presses;
+  std::vector<int> moved;  // fields
+  for (Grid<Dim>& grid : grids)
+    if (!grid.pore_modulus.empty() && grid.pore_share.empty()) {
+      presses.emplace_back([&] { press_pores(state, grid, dt); });
+      moved.push_back(grid.field);
+    }
   for_each_pair(soils, [&](const PoreSoil& soil) {
     if (grids[soil.water].pore_modulus.empty()) return;
-    PoreMotion<Dim> motion(grids[soil.field], grids[soil.water], dt);
-    press_pores(state, grids[soil.water], dt, &motion);
+    presses.emplace_back([&, field = soil.field, water = soil.water] {
+      PoreMotion<Dim> motion(grids[field], grids[water], dt);
+      press_pores(state, grids[water], dt, &motion);
+    });
+    moved.insert(moved.end(), {soil.field, soil.water});
   });
+  std::ranges::sort(moved);
+  run_side_by_side(presses, std::ranges::adjacent_find(moved) == moved.end());
 }
 
 template <int Dim>
@@ -333,7 +347,7 @@ void update_pore_rate(const std::vector<PoreSoil>& soils, Grids<Dim>& grids) {
   template void sum_grains(const std::vector<PoreSoil>&, const State<D>&, Grids<D>&);         \
   template void share_pore_pressure(const std::vector<PoreSoil>&, double, Grids<D>&);         \
   template void drag_pore_water(const std::vector<PoreSoil>&, double, Grids<D>&);             \
-  template void press_pore_water(const std::vector<PoreSoil>&, double, State<D>&, Grids<D>&); \
+  template void press_implicitly(const std::vector<PoreSoil>&, double, State<D>&, Grids<D>&); \
   template void update_pore_rate(const std::vector<PoreSoil>&, Grids<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

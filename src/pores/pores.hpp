@@ -79,9 +79,10 @@ void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Di
 template <int Dim>
 void drag_pore_water(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids);
 
-/// The change of its pressure at the end of the step, of water that says so (grid/implicit_pressure).
+/// The change of pressure at the end of the step, of undrained soils and of pore water that say so
+/// (grid/implicit_pressure); side by side where these have fields of their own. Throws RunError if one is not found.
 template <int Dim>
-void press_pore_water(const std::vector<PoreSoil>& soils, double dt, State<Dim>& state, Grids<Dim>& grids);
+void press_implicitly(const std::vector<PoreSoil>& soils, double dt, State<Dim>& state, Grids<Dim>& grids);
 
 /// Volume rate of the water in cells: that of the mixture over the volume of the water, times the share of cells that
 /// gave up pressure.

@@ -32,15 +32,14 @@ Row<Dim> pore_drag_row(const Scene& scene) {
 }
 
 template <int Dim>
-Row<Dim> pore_implicit_row(const Scene& scene) {
-  return {"pore_implicit",
+Row<Dim> implicit_pressure_row(const Scene& scene) {
+  return {"implicit_pressure",
           Data::nodal_sums | Data::nodal_velocity | Data::velocity_change | Data::cell_volume | Data::cell_flags |
               Data::volume_rate | Data::cut_cells | Data::pore_space,
           Data::nodal_velocity | Data::velocity_change | Data::largest_motion,
-          std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                      [&](const BodySpec& b) { return b.implicit_pore_pressure && saturates(scene, b.name); }),
+          std::ranges::any_of(scene.bodies, &BodySpec::implicit_pore_pressure),
           [soils = pore_soils(scene)](State<Dim>& s, Grids<Dim>& f, const StepContext& step) {
-            press_pore_water(soils, step.dt, s, f);
+            press_implicitly(soils, step.dt, s, f);
           }};
 }
 
@@ -54,11 +53,11 @@ Row<Dim> pore_rate_row(const Scene& scene) {
           }};
 }
 
-#define GEODROP_INSTANTIATE(D)                        \
-  template Row<D> pore_space_row<D>(const Scene&);    \
-  template Row<D> pore_pressure_row<D>(const Scene&); \
-  template Row<D> pore_drag_row<D>(const Scene&);     \
-  template Row<D> pore_implicit_row<D>(const Scene&); \
+#define GEODROP_INSTANTIATE(D)                            \
+  template Row<D> pore_space_row<D>(const Scene&);        \
+  template Row<D> pore_pressure_row<D>(const Scene&);     \
+  template Row<D> pore_drag_row<D>(const Scene&);         \
+  template Row<D> implicit_pressure_row<D>(const Scene&); \
   template Row<D> pore_rate_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

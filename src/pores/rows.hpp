@@ -12,7 +12,7 @@ Row<Dim> pore_pressure_row(const Scene& scene);
 template <int Dim>
 Row<Dim> pore_drag_row(const Scene& scene);
 template <int Dim>
-Row<Dim> pore_implicit_row(const Scene& scene);
+Row<Dim> implicit_pressure_row(const Scene& scene);
 template <int Dim>
 Row<Dim> pore_rate_row(const Scene& scene);
 

@@ -59,7 +59,6 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     join_interfaces_row<Dim>,
     pore_drag_row<Dim>,
     implicit_pressure_row<Dim>,
-    pore_implicit_row<Dim>,
     fill_other_sides_row<Dim>,
     out_of_balance_row<Dim>,
     remap_velocity_row<Dim>,

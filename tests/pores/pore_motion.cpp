@@ -44,10 +44,10 @@ struct Soil {
       for (Array<double>& component : body.v)
         for (double& v : component) v = any(random);
     for (Row<2>& row : build_pipeline<2>(scene)) {
-      if (row.name == std::string("pore_implicit")) return;
+      if (row.name == std::string("implicit_pressure")) return;
       row.run(state, grids, step);
     }
-    FAIL("no row pore_implicit");
+    FAIL("no row implicit_pressure");
   }
 
   Grid<2>& grains() { return grids[soils[0].field]; }
@@ -98,7 +98,7 @@ struct Soil {
 /// from the velocities after it.
 void check_work(Soil soil) {
   const Grid<2> grains = soil.grains(), water = soil.water();
-  press_pore_water(soil.soils, soil.step.dt, soil.state, soil.grids);
+  press_implicitly(soil.soils, soil.step.dt, soil.state, soil.grids);
   Soil other = soil;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(-1, 1);
@@ -140,7 +140,7 @@ TEST_CASE("The implicit pressure of pore water in a bag keeps the momentum of bo
   Soil soil("seepage_through_fabric");
   const Vec4 before = soil.momentum();
   const Grid<2> water = soil.water();
-  press_pore_water(soil.soils, soil.step.dt, soil.state, soil.grids);
+  press_implicitly(soil.soils, soil.step.dt, soil.state, soil.grids);
   double moved = 0;
   soil.for_moving_nodes(
       [&](int i) { moved += water.sum[i][3] * std::abs(soil.water().velocity[i][0] - water.velocity[i][0]); });
@@ -157,7 +157,7 @@ TEST_CASE("Nearly rigid pore water lets no cell change its volume") {
     return most;
   };
   const double before = largest(soil.rates());
-  press_pore_water(soil.soils, soil.step.dt, soil.state, soil.grids);
+  press_implicitly(soil.soils, soil.step.dt, soil.state, soil.grids);
   CHECK(largest(soil.rates()) < 1e-3 * before);
 }
 
