@@ -134,12 +134,13 @@ class Bins {
     const std::size_t n = points.count();
     Array<std::uint32_t> keys(n);
     begin_.assign(bins + 1, 0);
+#pragma omp parallel for schedule(static)
     for (std::size_t p = 0; p < n; ++p) {
       std::ptrdiff_t key = 0;
       for (int a = 0; a < Dim; ++a) key += (bin_of(points.q[a][p]) - first[a]) * stride_[a];
       keys[p] = static_cast<std::uint32_t>(key);
-      ++begin_[key + 1];
     }
+    for (const std::uint32_t key : keys) ++begin_[key + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     Array<std::uint32_t> next(begin_);
     id_.resize(n);

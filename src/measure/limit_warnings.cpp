@@ -1,8 +1,10 @@
 #include "limit_warnings.hpp"
 
+#include <geodrop/grid/graded_axis.hpp>
 #include <geodrop/materials/materials.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/text.hpp"
@@ -14,6 +16,7 @@ constexpr int digits = 3;
 constexpr double most_mach = 0.3;        // errors of the order of its square: 9 %
 constexpr double most_rise = 0.1;        // of the density
 constexpr double most_growth = 0.01;     // of the area inside a membrane
+constexpr double most_widening = 2;      // of cells along a membrane
 constexpr double lone_particles = 0.01;  // share of a body that may be denser: splashes
 
 std::string percent(double share) { return format_number(100 * share, digits) + " %"; }
@@ -64,10 +67,30 @@ void LimitWatch::look_at_density(const Body<Dim>& body, double t) {
                                     "; raise its bulk_modulus or sound_speed");
 }
 
+/// Of a membrane that is in the finest cells of an axis in part.
+template <int Dim>
+void LimitWatch::look_at_cells(const GridSpec& grid, const Membrane<Dim>& membrane, double t) {
+  if (membrane.field == waiting) return;
+  for (int a = 0; a < Dim; ++a) {
+    const AxisMap axis(grid, a);
+    if (!axis.graded()) continue;
+    const auto width = [&](double x) { return axis.span_width(static_cast<int>(std::lround(axis.to_grid(x)))); };
+    const auto [least, most] = std::ranges::minmax(membrane.x[a], {}, width);
+    if (width(least) > 1.01 * axis.finest() || width(most) <= most_widening * axis.finest()) continue;
+    const std::string name(1, "xyz"[a]);
+    say(membrane.name + " cells " + name, "a part of membrane '" + membrane.name + "' has left the fine cells along " +
+                                              name + ": " + format_number(width(most), digits) + " m wide at " + name +
+                                              " = " + format_number(most, digits) + " m, " +
+                                              format_number(axis.finest(), digits) + " m where they are finest" +
+                                              at(t) + "; a longer zone of grid.refine follows it");
+  }
+}
+
 template <int Dim>
 std::vector<std::string> LimitWatch::look(const Scene& scene, const State<Dim>& state, const HistoryTable& history) {
   for (; rows_seen_ < history.rows.size(); ++rows_seen_) look_at_row(scene, history, rows_seen_);
   for (const Body<Dim>& body : state.bodies) look_at_density(body, state.t);
+  for (const Membrane<Dim>& membrane : state.membranes) look_at_cells(scene.grid, membrane, state.t);
   if (state.constraint_watch.unsolved > 0)
     say("constraint", "the pressures on sharp membranes were not found to 1e-8 in some steps" + at(state.t) +
                           "; the run ends if that lasts for 100 steps");

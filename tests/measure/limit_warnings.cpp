@@ -1,5 +1,9 @@
 // Each limit is told once, at the row that passes it.
 #include "measure/limit_warnings.hpp"
+
+#include <geodrop/grid/graded_axis.hpp>
+
+#include "base/text.hpp"
 #include "support/small_state.hpp"
 #include "support/text.hpp"
 
@@ -63,4 +67,31 @@ TEST_CASE("A closed membrane that encloses more than at the start, unless it is 
   pump.body = "bag";
   scene.pumps = {pump};
   CHECK(LimitWatch().look(scene, small_state(), history).empty());
+}
+
+TEST_CASE("A membrane of which a part has left the fine cells") {
+  Scene scene = small_scene();
+  scene.grid.refine = {{0, 0.0, 1.0, 0.125, 1.1, {}}};
+  scene.grid.lower = {-8, -8, 0};
+  scene.grid.upper = {8, 8, 0};
+  scene.grid.spacing = 0.5;
+  const HistoryTable history = history_with(scene, "pool.velocity_rms_m_s", {0});
+  State<2> state = small_state();
+  state.t = 0.5;
+  const auto told_at = [&](double first, double last) {
+    Array<double>& x = state.membranes[0].x[0];
+    std::fill(x.begin(), x.end(), first);
+    x.back() = last;
+    return LimitWatch().look(scene, state, history);
+  };
+  CHECK(told_at(0.2, 0.9).empty());
+  CHECK(told_at(0.2, 1.1).empty());   // cells there are hardly wider
+  CHECK(told_at(-6.0, 6.0).empty());  // no part is in fine cells
+  const AxisMap axis(scene.grid, 0);
+  const auto warnings = told_at(0.2, 6.0);
+  REQUIRE(warnings.size() == 1);
+  CHECK(contains(warnings[0], "a part of membrane 'skin' has left the fine cells along x: " +
+                                  format_number(axis.span_width(static_cast<int>(axis.to_grid(6) + 0.5)), 3) +
+                                  " m wide at x = 6 m, " + format_number(axis.finest(), 3) +
+                                  " m where they are finest, by t = 0.5 s"));
 }

@@ -30,13 +30,15 @@ PressureSpread pressure_spread(const Scene& scene, const HydrostaticProbeSpec& p
   const double gravity = -scene.gravity[vertical_axis<Dim>], near = 2 * finest_spacing(scene.grid), percent = 99.9;
   const std::vector<Vec<Dim>> tips = tips_of(state, probe.tips_of);
   const Body<Dim>& body = find_named(state.bodies, probe.body);
-  std::vector<double> elsewhere, at_tips;
+  std::vector<double> errors(body.size()), elsewhere, at_tips;
+#pragma omp parallel for schedule(static)
   for (std::size_t p = 0; p < body.size(); ++p) {
-    const Vec<Dim> x = vector_at(body.x, p);
-    const double depth = probe.still.surface - x[vertical_axis<Dim>];
-    const double error = std::abs(mean_pressure(body, p) - still_pressure(fluid, gravity, depth));
-    const bool tip = std::any_of(tips.begin(), tips.end(), [&](const Vec<Dim>& t) { return (x - t).norm() < near; });
-    (tip ? at_tips : elsewhere).push_back(error);
+    const double depth = probe.still.surface - body.x[vertical_axis<Dim>][p];
+    errors[p] = std::abs(mean_pressure(body, p) - still_pressure(fluid, gravity, depth));
+  }
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const auto close = [&, x = vector_at(body.x, p)](const Vec<Dim>& tip) { return (x - tip).norm() < near; };
+    (std::ranges::any_of(tips, close) ? at_tips : elsewhere).push_back(errors[p]);
   }
   return {percentile(std::move(elsewhere), percent), percentile(std::move(at_tips), percent)};
 }
