@@ -13,13 +13,22 @@
 namespace geodrop {
 namespace {
 
-/// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [width of the cell].
+/// Shorter stretches than this join the next one: a corner of a cell pins no pressure down [cells].
 constexpr double least_length = 0.25;
 
 }  // namespace
 
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece) {
   return (piece.to - piece.from) * segment_length(membrane, static_cast<std::size_t>(piece.edge));
+}
+
+double cells_along(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                   const CutCells::Piece& piece) {
+  const auto [across, up] = spans_of(layout, flat_of(layout, cells, piece.cell));
+  if (across.width == up.width) return length_of(membrane, piece) / across.width;
+  const auto from = static_cast<std::size_t>(piece.edge), to = end_of_edge(from, membrane.nodes());
+  const auto& [x, y] = membrane.x;
+  return (piece.to - piece.from) * std::hypot((x[to] - x[from]) / across.width, (y[to] - y[from]) / up.width);
 }
 
 namespace {
@@ -45,24 +54,28 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
   std::size_t start = 0;  // where a cell begins
   while (start + 1 < n && pieces[start].cell == pieces[(start + n - 1) % n].cell) ++start;
   std::vector<Stretch> stretches;
-  bool open = false;  // the last stretch goes on
+  bool open = false;       // the last stretch goes on
+  double last_length = 0;  // its length [cells]
   for (std::size_t k = 0; k < n;) {
     const std::size_t at = (start + k) % n;
     Stretch visit{at, 0, 0};
-    for (; k < n && pieces[(start + k) % n].cell == pieces[at].cell; ++k, ++visit.count)
+    double length = 0;  // [cells]
+    for (; k < n && pieces[(start + k) % n].cell == pieces[at].cell; ++k, ++visit.count) {
       visit.size += length_of(membrane, pieces[(start + k) % n]);
+      length += cells_along(around.layout, membrane, cells, pieces[(start + k) % n]);
+    }
     const double width = least_width(around.layout, flat_of(around.layout, cells, pieces[at].cell));
     if (!wet(at) || ends_fold(membrane, cells, visit, width)) {
       open = false;
       continue;
     }
-    const double least = least_length * width;
-    const bool join = open && (visit.size < least || stretches.back().size < least);
-    if (join) {
+    if (open && (length < least_length || last_length < least_length)) {
       stretches.back().count += visit.count;
       stretches.back().size += visit.size;
+      last_length += length;
     } else {
       stretches.push_back(visit);
+      last_length = length;
     }
     open = true;
   }

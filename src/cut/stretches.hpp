@@ -51,6 +51,10 @@ void for_each_share(const ClippedSurface& cells, const Stretch& stretch, F&& f) 
 /// Length of a piece [m].
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece);
 
+/// The same over the width of its cell; where that is not the same along both axes, in grid coordinates [cells].
+double cells_along(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
+                   const CutCells::Piece& piece);
+
 /// int N n dl over a stretch, n the outward normal.
 std::vector<NodeVector<2>> normals_over(const GridLayout<2>& layout, const Membrane<2>& membrane, const CutCells& cells,
                                         const Stretch& stretch);

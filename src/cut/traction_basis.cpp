@@ -13,7 +13,7 @@
 namespace geodrop {
 namespace {
 
-/// Lengths are in cells: each piece of an outline over the width of its cell.
+/// Lengths are in cells, see cells_along.
 constexpr double least_between_knots = 1;
 
 /// Angle by which an outline turns at a corner [rad].
@@ -52,7 +52,7 @@ void append(const Grid<2>& grid, const std::vector<Contact<2>>& contacts, std::s
       if (segment == 0) run.first_node = at;
       if (const double turn = turn_at(membrane, segment); turn > least_turn) run.corners.push_back({at, turn});
     }
-    at += length_of(membrane, piece) / least_width(grid.layout, flat_of(grid.layout, grid.outline, piece.cell));
+    at += cells_along(grid.layout, membrane, grid.outline, piece);
   });
   run.contacts.push_back(c);
   run.ends.push_back(at);

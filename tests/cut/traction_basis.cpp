@@ -100,6 +100,24 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Knots are two cells apart along each axis: on flat cells the same as on square ones") {
+  constexpr double flat = 0.25;
+  Bag bag;
+  const Eigen::MatrixXd of_square = bag.basis();
+  GridSpec& grid = bag.box.scene.grid;
+  grid.upper[1] *= flat;
+  grid.refine = {{1, grid.lower[1], grid.upper[1], flat * grid.spacing, 1.1, {}}};
+  for (Grid<2>& field : bag.box.grids) field.layout = GridLayout<2>(grid, bag.box.scene.walls);
+  REQUIRE(bag.box.around().layout.cells == std::array<int, 2>{box_cells, box_cells});
+  for (double& y : bag.box.skin().x[1]) y *= flat;
+  cut_interface_cells(bag.box.state, bag.box.grids);
+  bag.read();
+  const Eigen::MatrixXd of_flat = bag.basis();
+  REQUIRE(of_flat.rows() == of_square.rows());
+  REQUIRE(of_flat.cols() == of_square.cols());
+  CHECK((of_flat - of_square).cwiseAbs().maxCoeff() < 1e-12);
+}
+
 TEST_CASE("A smooth outline has a multiple of four knots from its first node on, so that its halves are alike") {
   for (const auto& [radius, knots] : {std::pair{3.0, 8}, std::pair{3.7, 12}}) {
     const Bag bag(48, radius);  // 18.8 and 23.2 cells round
