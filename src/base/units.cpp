@@ -12,11 +12,12 @@ struct Ending {
 
 /// Longer endings stand before those that they contain ("_kg_m3" before "_m3", "_N_m" before "_m").
 constexpr Ending endings[] = {
-    {"_kg_m_s", "kg m/s"}, {"_kg_m3", "kg/m3"}, {"_kg_m2", "kg/m2"}, {"_kg_m", "kg/m"},   {"_m_s2", "m/s2"},
-    {"_rad_s2", "rad/s2"}, {"_rad_s", "rad/s"}, {"_J_m", "J/m"},     {"_N_s", "N s"},     {"_N_m", "N/m"},
-    {"_m_s", "m/s"},       {"_1_s", "1/s"},     {"_Pa", "Pa"},       {"_kg", "kg"},       {"_rad", "rad"},
-    {"_deg", "degree"},    {"_m3", "m3"},       {"_m2", "m2"},       {"_J", "J"},         {"_N", "N"},
-    {"_m", "m"},           {"_s", "s"},         {"_ratio", "1"},     {"_r_squared", "1"}, {"_count", "1"},
+    {"_kg_m_s", "kg m/s"}, {"_kg_m3", "kg/m3"}, {"_kg_m2", "kg/m2"}, {"_kg_m", "kg/m"}, {"_m_s2", "m/s2"},
+    {"_rad_s2", "rad/s2"}, {"_rad_s", "rad/s"}, {"_J_m", "J/m"},     {"_N_s", "N s"},   {"_N_m", "N/m"},
+    {"_m2_s", "m2/s"},     {"_m3_s", "m3/s"},   {"_m_s", "m/s"},     {"_1_s", "1/s"},   {"_Pa", "Pa"},
+    {"_kg", "kg"},         {"_rad", "rad"},     {"_deg", "degree"},  {"_m3", "m3"},     {"_m2", "m2"},
+    {"_J", "J"},           {"_N", "N"},         {"_m", "m"},         {"_s", "s"},       {"_ratio", "1"},
+    {"_r_squared", "1"},   {"_count", "1"},
 };
 
 const Ending* find_ending(const std::string& name) {

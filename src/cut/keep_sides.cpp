@@ -194,12 +194,12 @@ using Near = std::conditional_t<Dim == 2, NearEdges, NearTriangles>;
 /// A sharp membrane, and where it is.
 template <int Dim>
 struct Keeper {
-  Keeper(const Grids<Dim>& grids, Membrane<Dim>& of)
-      : grids(grids),
+  Keeper(const Grids<Dim>& all, Membrane<Dim>& of)
+      : grids(all),
         membrane(of),
-        field(grids[of.field]),
-        surface(grids.front().layout, of, field.outline),
-        box(grids.front().layout, field.outline) {}
+        field(all[of.field]),
+        surface(all.front().layout, of, field.outline),
+        box(all.front().layout, field.outline) {}
 
   /// Of what is on one side of the membrane, whatever its side: its content, the water in its pores, what is around.
   bool keeps(const Body<Dim>& body) const {

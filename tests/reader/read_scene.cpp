@@ -293,6 +293,8 @@ TEST_CASE("the scene as run reads back as the same scene") {
 TEST_CASE("units are the ends of names") {
   CHECK(unit_of_name("fall_velocity_max_m_s") == "m/s");
   CHECK(unit_of_name("container.velocity_y_m_s") == "m/s");
+  CHECK(unit_of_name("geotextile.seepage_m2_s") == "m2/s");
+  CHECK(unit_of_name("gate.flow_x_m3_s") == "m3/s");
   CHECK(unit_of_name("tension_N_m") == "N/m");
   CHECK(unit_of_name("initial_acceleration_m_s2") == "m/s2");
   CHECK(unit_of_name("density_kg_m3") == "kg/m3");
