@@ -155,7 +155,7 @@ std::vector<std::string> doubtful_numerics(const Scene& scene) {
 
 double output_bytes(const Scene& scene) {
   constexpr double bytes_per_particle = 130;  // of an uncompressed frame, base64: 4.5 MB of 34,920 particles
-  constexpr double compressed = 0.5;
+  constexpr double compressed = 0.7;
   const double frames = scene.time.end / scene.output.frame_interval + 1;
   return frames * estimate_memory(scene).particles * bytes_per_particle * (scene.output.compress ? compressed : 1);
 }

@@ -219,7 +219,7 @@ TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort
   CHECK(effort.particles == 640);
   CHECK(effort.steps > 1000);
   CHECK(effort.seconds > 0);
-  CHECK(effort.output_bytes == near(0.5 * 11.01 * 640 * 130, 1e-6));  // a compressed frame each 0.1 s of 1.001 s
+  CHECK(effort.output_bytes == near(0.7 * 11.01 * 640 * 130, 1e-6));  // a compressed frame each 0.1 s of 1.001 s
   const std::vector<std::string> words{"check", source_path("cases/gravity_column.toml"),
                                        "--set", "materials.soil.density=2.0",
                                        "--set", "materials.soil.youngs_modulus=1e4"};
