@@ -17,6 +17,7 @@ Needs numpy and nothing else.
 import base64
 import json
 import xml.etree.ElementTree as ElementTree
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -88,7 +89,7 @@ def read_vtk(path):
 def array_of(element, root):
     """The values of a DataArray of a VTU or VTP file, a row each where it has several components."""
     head = "<u8" if root.get("header_type") == "UInt64" else "<u4"
-    raw = decode(element.text.strip(), head, root.get("compressor") is not None)
+    raw = decode(element.text.strip(), head, root.get("compressor"))
     values = numpy.frombuffer(raw, TYPES[element.get("type")])
     width = int(element.get("NumberOfComponents") or 1)
     return values.reshape(-1, width) if width > 1 else values
@@ -99,22 +100,23 @@ def letters(size):
     return 4 * ((size + 2) // 3)
 
 
-def decode(text, head, compressed):
+def decode(text, head, compressor):
     """The bytes of an array: before it the number of its bytes or, compressed, the sizes of its blocks."""
     size = int(head[-1])
-    if not compressed:
+    if compressor is None:
         raw = base64.b64decode(text)
         return raw[size:size + int(numpy.frombuffer(raw[:size], head)[0])]
+    decompress = {"vtkLZ4DataCompressor": decompress_lz4, "vtkZLibDataCompressor": zlib.decompress}
     blocks = int(numpy.frombuffer(base64.b64decode(text[:letters(size)])[:size], head)[0])
     table = numpy.frombuffer(base64.b64decode(text[:letters((3 + blocks) * size)]), head)
     raw, at, out = base64.b64decode(text[letters((3 + blocks) * size):]), 0, b""
     for length in table[3:3 + blocks]:
-        out += decompress(raw[at:at + int(length)])
+        out += decompress[compressor](raw[at:at + int(length)])
         at += int(length)
     return out
 
 
-def decompress(block):
+def decompress_lz4(block):
     """The bytes of an LZ4 block: sequences of new bytes, each followed by bytes that stood `back` before."""
     out, at = bytearray(), 0
 
