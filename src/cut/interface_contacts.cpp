@@ -2,6 +2,8 @@
 
 #include <geodrop/base/find_named.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <optional>
 
