@@ -2,6 +2,8 @@
 // adjoint.
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
+
 #include "grid/momentum.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
