@@ -13,6 +13,7 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// Columns, in ascending order, with values.
 using SparseRow = std::vector<std::pair<int, double>>;
 
+/// The matrix of these rows, from the first to the last.
 SparseRows joined(const std::vector<SparseRow>& rows, Eigen::Index columns);
 
 /// A B^T of which it is known that it is symmetric, as E E^T or E K E^T with a symmetric K: the sums of its upper half,
