@@ -238,35 +238,32 @@ Drag Rows<Dim>::drag(double dt) {
 }
 
 SparseRows times(const SparseRows& E, const Drag& K) {
-  std::vector<SparseRow> product(E.rows());
-#pragma omp parallel
-  {
-    std::vector<double> sum(E.cols());
-    std::vector<std::uint8_t> met(E.cols(), 0);
-#pragma omp for schedule(static)
-    for (int r = 0; r < E.rows(); ++r) {
-      int first = static_cast<int>(E.cols()), last = -1, entries = 0;
-      const auto add = [&](int column, double value) {
-        sum[column] = met[column] ? sum[column] + value : value;
-        entries += !met[column];
-        met[column] = 1;
-        first = std::min(first, column);
-        last = std::max(last, column);
-      };
-      for (SparseRows::InnerIterator entry(E, r); entry; ++entry) {
-        const auto& [own, both, partner] = K[entry.col()];
-        add(static_cast<int>(entry.col()), entry.value() * own);
-        if (partner >= 0) add(partner, entry.value() * both);
-      }
-      product[r].reserve(entries);
-      for (int c = first; c <= last; ++c)
-        if (met[c]) {
-          product[r].emplace_back(c, sum[c]);
-          met[c] = 0;
-        }
+  SparseRows product(E.rows(), E.cols());
+  product.reserve(2 * E.nonZeros());
+  std::vector<double> sum(E.cols());
+  std::vector<std::uint8_t> met(E.cols(), 0);
+  for (int r = 0; r < E.rows(); ++r) {
+    int first = static_cast<int>(E.cols()), last = -1;
+    const auto add = [&](int column, double value) {
+      sum[column] = met[column] ? sum[column] + value : value;
+      met[column] = 1;
+      first = std::min(first, column);
+      last = std::max(last, column);
+    };
+    for (SparseRows::InnerIterator entry(E, r); entry; ++entry) {
+      const auto& [own, both, partner] = K[entry.col()];
+      add(static_cast<int>(entry.col()), entry.value() * own);
+      if (partner >= 0) add(partner, entry.value() * both);
     }
+    product.startVec(r);
+    for (int c = first; c <= last; ++c)
+      if (met[c]) {
+        product.insertBack(r, c) = sum[c];
+        met[c] = 0;
+      }
   }
-  return joined(product, E.cols());
+  product.finalize();
+  return product;
 }
 
 template <int Dim>

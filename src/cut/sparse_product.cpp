@@ -1,11 +1,13 @@
 #include "sparse_product.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace geodrop {
 namespace {
 
-using UpperRows = std::vector<SparseRow>;  // from the diagonal on
+using UpperRows = std::vector<std::vector<std::pair<int, double>>>;  // columns from the diagonal on, in order
 
 /// Both halves.
 SparseRows mirrored(const UpperRows& upper) {
@@ -33,20 +35,6 @@ SparseRows mirrored(const UpperRows& upper) {
 }
 
 }  // namespace
-
-SparseRows joined(const std::vector<SparseRow>& rows, Eigen::Index columns) {
-  const auto n = static_cast<int>(rows.size());
-  SparseRows out(n, columns);
-  int* const begin = out.outerIndexPtr();
-  for (int r = 0; r < n; ++r) begin[r + 1] = begin[r] + static_cast<int>(rows[r].size());
-  out.resizeNonZeros(begin[n]);
-  for (int r = 0; r < n; ++r)
-    for (int k = begin[r]; const auto& [column, value] : rows[r]) {
-      out.innerIndexPtr()[k] = column;
-      out.valuePtr()[k++] = value;
-    }
-  return out;
-}
 
 SparseRows symmetric_product(const SparseRows& A, const SparseRows& B) {
   const SparseRows Bt = B.transpose();

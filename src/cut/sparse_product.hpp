@@ -3,18 +3,9 @@
 
 #include <Eigen/SparseCore>
 
-#include <utility>
-#include <vector>
-
 namespace geodrop {
 
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-/// Columns, in ascending order, with values.
-using SparseRow = std::vector<std::pair<int, double>>;
-
-/// The matrix of these rows, from the first to the last.
-SparseRows joined(const std::vector<SparseRow>& rows, Eigen::Index columns);
 
 /// A B^T of which it is known that it is symmetric, as E E^T or E K E^T with a symmetric K: the sums of its upper half,
 /// each in the order of the columns, stand in both halves. Row by row in parallel.
