@@ -7,6 +7,7 @@
 #include "interface_cells.hpp"
 #include "interface_constraint.hpp"
 #include "keep_sides.hpp"
+#include "limit_unseen.hpp"
 #include "model_drag.hpp"
 #include "seep.hpp"
 
@@ -91,6 +92,13 @@ Row<Dim> keep_sides_row(const Scene& scene) {
           [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { keep_sides(s, f, step.dt); }};
 }
 
+template <int Dim>
+Row<Dim> limit_unseen_row(const Scene& scene) {
+  return {"limit_unseen", Data::cut_cells | Data::position | Data::nodal_velocity, Data::velocity,
+          has_sharp_interface(scene) && any_fluid(scene) && scene.solver.transfer == Transfer::blend,
+          [](State<Dim>& s, const Grids<Dim>& f, const StepContext&) { limit_unseen(s, f); }};
+}
+
 #define GEODROP_INSTANTIATE(D)                             \
   template Row<D> cut_cells_row<D>(const Scene&);          \
   template Row<D> interface_pressure_row<D>(const Scene&); \
@@ -99,7 +107,8 @@ Row<Dim> keep_sides_row(const Scene& scene) {
   template Row<D> join_interfaces_row<D>(const Scene&);    \
   template Row<D> fill_other_sides_row<D>(const Scene&);   \
   template Row<D> interface_rate_row<D>(const Scene&);     \
-  template Row<D> keep_sides_row<D>(const Scene&);
+  template Row<D> keep_sides_row<D>(const Scene&);         \
+  template Row<D> limit_unseen_row<D>(const Scene&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)
 #undef GEODROP_INSTANTIATE

@@ -23,5 +23,7 @@ template <int Dim>
 Row<Dim> interface_rate_row(const Scene& scene);
 template <int Dim>
 Row<Dim> keep_sides_row(const Scene& scene);
+template <int Dim>
+Row<Dim> limit_unseen_row(const Scene& scene);
 
 }  // namespace geodrop

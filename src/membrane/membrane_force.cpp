@@ -5,6 +5,7 @@
 
 #include "geometry/polygon.hpp"
 #include "grid/point_support.hpp"
+#include "move_skins.hpp"
 #include "tension_gauge.hpp"
 #include "triangles.hpp"
 
@@ -23,14 +24,6 @@ double length(const std::array<double, Dim>& d) {
   double sum = 0;
   for (const double c : d) sum += c * c;
   return std::sqrt(sum);
-}
-
-/// The coordinate, or the wall that round-off carried it across.
-template <int Dim>
-double back_on_grid(const GridLayout<Dim>& layout, int axis, double x) {
-  const double round_off = 1e-9 * layout.h, lower = layout.lower[axis], upper = layout.upper[axis];
-  const bool near = x > lower - round_off && x < upper + round_off;
-  return near ? std::clamp(x, lower, upper) : x;
 }
 
 template <int Dim>
@@ -77,7 +70,21 @@ std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<doub
   return x;
 }
 
+/// Whether move_skins moves a membrane.
+template <int Dim>
+bool moves_as_skin(const Membrane<Dim>& membrane) {
+  if constexpr (Dim == 2) return is_sharp_skin(membrane);
+  return false;
+}
+
 }  // namespace
+
+template <int Dim>
+double back_on_grid(const GridLayout<Dim>& layout, int axis, double x) {
+  const double round_off = 1e-9 * layout.h, lower = layout.lower[axis], upper = layout.upper[axis];
+  const bool near = x > lower - round_off && x < upper + round_off;
+  return near ? std::clamp(x, lower, upper) : x;
+}
 
 template <int Dim>
 void update_tension(Membrane<Dim>& membrane) {
@@ -161,8 +168,9 @@ template <int Dim>
 void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt) {
   if (solver.transfer != Transfer::musl) update_membrane_velocity(solver, state, grid, dt);
   double displacement = 0;
-  for (Membrane<Dim>& membrane : state.membranes)
-    for (std::size_t k = 0; membrane.field == grid.field && k < membrane.nodes(); ++k) {
+  for (Membrane<Dim>& membrane : state.membranes) {
+    if (membrane.field != grid.field || moves_as_skin(membrane)) continue;
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       for (int a = 0; a < Dim; ++a) {
@@ -171,6 +179,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
       }
       check_on_grid<Dim>(grid.layout, place_at(membrane.x, k), "a node of membrane", membrane.name);
     }
+  }
   state.drift += displacement;
 }
 
@@ -190,6 +199,7 @@ void grid_to_tracers(State<Dim>& state, const Grid<Dim>& grid, double dt) {
 }
 
 #define GEODROP_INSTANTIATE(D)                                                                     \
+  template double back_on_grid<D>(const GridLayout<D>&, int, double);                              \
   template void update_tension<D>(Membrane<D>&);                                                   \
   template std::array<Array<double>, D> membrane_forces<D>(const Membrane<D>&);                    \
   template std::array<Array<double>, D> node_velocities<D>(const Membrane<D>&, const Grid<D>&);    \

@@ -28,7 +28,12 @@ void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const
 template <int Dim>
 void sum_membrane_momentum(const State<Dim>& state, Grid<Dim>& grid);
 
-/// Moves membrane nodes with the grid velocity; adds their displacement to State::drift.
+/// The coordinate [m], or the wall that round-off carried it across.
+template <int Dim>
+double back_on_grid(const GridLayout<Dim>& layout, int axis, double x);
+
+/// Moves membrane nodes with the grid velocity, but those of sharp skins (move_skins); adds their displacement to
+/// State::drift.
 template <int Dim>
 void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<Dim>& grid, double dt);
 

@@ -10,6 +10,7 @@
 #include "even_out_nodes.hpp"
 #include "fluid_load.hpp"
 #include "membrane_force.hpp"
+#include "move_skins.hpp"
 #include "slide_membranes.hpp"
 #include "surface_load.hpp"
 
@@ -96,6 +97,12 @@ Row<Dim> grid_to_membranes_row(const Scene& scene) {
           each_field<Dim>([solver = scene.solver](State<Dim>& s, const Grid<Dim>& g, const StepContext& step) {
             grid_to_membranes(solver, s, g, step.dt);
           })};
+}
+
+Row<2> move_skins_row(const Scene& scene) {
+  return {"move_skins", Data::membranes | Data::membrane_position | Data::nodal_velocity | Data::nodal_sums,
+          Data::membrane_position | Data::membrane_velocity | Data::largest_motion, any_sharp_skin(scene),
+          [](State<2>& s, const Grids<2>& f, const StepContext& step) { move_skins(s, f, step.dt); }};
 }
 
 template <int Dim>

@@ -19,6 +19,7 @@ template <int Dim>
 Row<Dim> hold_remapped_row(const Scene& scene);
 template <int Dim>
 Row<Dim> grid_to_membranes_row(const Scene& scene);
+Row<2> move_skins_row(const Scene& scene);
 template <int Dim>
 Row<Dim> grid_to_tracers_row(const Scene& scene);
 

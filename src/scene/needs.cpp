@@ -147,14 +147,29 @@ bool any_membrane_slides(const Scene& scene) {
                      [&](const MembraneSpec& membrane) { return slides(scene, membrane); });
 }
 
+bool any_sharp_skin(const Scene& scene) {
+  return std::any_of(scene.membranes.begin(), scene.membranes.end(), [](const MembraneSpec& membrane) {
+    return membrane.interface == Interface::sharp && membrane.axial_stiffness == 0 && membrane.mass_per_area == 0;
+  });
+}
+
 bool rubs_sharply(const MembraneSpec& membrane) {
   return membrane.interface == Interface::sharp && (membrane.shear != Shear::none || !membrane.bed.empty());
 }
 
+const NewtonianSpec* fluid_of(const Scene& scene, const BodySpec& body) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  return material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+}
+
+bool any_fluid(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const BodySpec& body) { return fluid_of(scene, body) != nullptr; });
+}
+
 bool any_mixing_length(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
-    const MaterialSpec* material = find_material(scene, body.material);
-    const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+    const NewtonianSpec* fluid = fluid_of(scene, body);
     return fluid && fluid->mixing_length > 0;
   });
 }

@@ -60,10 +60,17 @@ double contents_friction(const Scene& scene, const MembraneSpec& membrane);
 bool slides(const Scene& scene, const MembraneSpec& membrane);
 bool any_membrane_slides(const Scene& scene);
 
+/// There is a skin with a sharp interface.
+bool any_sharp_skin(const Scene& scene);
+
 /// Friction of what is around acts on a sharp membrane.
 bool rubs_sharply(const MembraneSpec& membrane);
 
 bool any_tracer(const Scene& scene);
+/// The fluid that a body is of; null if it is of none.
+const NewtonianSpec* fluid_of(const Scene& scene, const BodySpec& body);
+bool any_fluid(const Scene& scene);
+
 /// A body is of a fluid with eddies that the grid does not resolve.
 bool any_mixing_length(const Scene& scene);
 
