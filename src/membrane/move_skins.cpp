@@ -12,19 +12,33 @@
 namespace geodrop {
 namespace {
 
-/// The part of a node's spline that nodes of small mass have, weighted as they are [-].
-double share_of_light_nodes(const Grid<2>& own, const PointSupport<2>& support) {
-  double share = 0;
+/// Masses of small-mass nodes (light_mass) below which a node knows little of the body: a quarter of a full node, half
+/// as much again as the outer nodes of a plane surface have.
+constexpr double of_little = 12.5;
+
+/// What the nodes around a place of the skin know of the body.
+struct Inside {
+  double missing = 0;  ///< the part of the spline that nodes with little of the body lack [-]
+  Vec4 velocity{};     ///< the mean of the nodes, those with little of the body by what they have of it [m/s]
+};
+
+Inside inside_at(const Grid<2>& own, const PointSupport<2>& support) {
+  Inside inside;
+  double known = 0;
   support.for_each_node(own.layout, [&](int node, double weight) {
-    const double light = light_mass<2>(own, stored_cell(own.layout, node));
-    share += weight * std::max(0.0, 1 - own.sum[node][3] / light);
+    const double little = of_little * light_mass<2>(own, stored_cell(own.layout, node));
+    const double kept = weight * std::min(1.0, own.sum[node][3] / little);
+    inside.missing += weight - kept;
+    inside.velocity += kept * own.velocity[node];
+    known += kept;
   });
-  return share;
+  if (known > 0) inside.velocity *= 1 / known;
+  return inside;
 }
 
-/// How empty the skin is at a node: 0 up to where half of its spline has nodes of small mass, 1 where all of it has. At
-/// a plane surface of a full body it is at most 0.14.
-double emptiness(double share_of_light) { return std::clamp(2 * share_of_light - 1, 0.0, 1.0); }
+/// How empty the skin is at a node: 0 up to where half of its spline lacks the body, 1 where all of it does. At a plane
+/// surface of a full body 0.22 of it does at most.
+double emptiness(double missing) { return std::clamp(2 * missing - 1, 0.0, 1.0); }
 
 void move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin, double& largest) {
   constexpr double drawn_back_in_a_step = 0.1;
@@ -33,9 +47,10 @@ void move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin, double& larg
   const std::array<Array<double>, 2> before = {skin.x[0], skin.x[1]};
   for (std::size_t k = 0; k < n; ++k) {
     const PointSupport<2> support(own.layout, {before[0][k], before[1][k]}, skin.half_size);
-    const double empty = emptiness(share_of_light_nodes(own, support));
+    const Inside inside = inside_at(own, support);
+    const double empty = emptiness(inside.missing);
     Vec4 v = interpolate(own.layout, support, own.velocity);
-    if (empty > 0) v = (1 - empty) * v + empty * interpolate(around.layout, support, around.velocity);
+    if (empty > 0) v = (1 - empty) * inside.velocity + empty * interpolate(around.layout, support, around.velocity);
     const bool end = !skin.closed && (k == 0 || k + 1 == n);
     for (int a = 0; a < 2; ++a) {
       skin.v[a][k] = v[a];

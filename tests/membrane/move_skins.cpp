@@ -76,6 +76,24 @@ TEST_CASE("A tip that its body has left goes with what is around, and draws back
   }
 }
 
+TEST_CASE("Velocities of nodes that know next to nothing of the body move its skin by next to nothing") {
+  SkinnedBody box(5), before(5);
+  for_each_node(box.inside().layout, 0, [&](int node, const std::array<int, 2>& at) {
+    if (at[0] != 6) return;
+    box.inside().sum[node][3] = 1e-7;
+    box.inside().velocity[node] = {1e4, 1e4, 0, 0};
+  });
+  move_skins(box.state, box.grids, dt);
+  int at_the_tip = 0;
+  for (std::size_t k = 0; k < box.skin().nodes(); ++k) {
+    if (before.node(k)[0] < 5.79) continue;
+    const Vec<2> to = before.expected(k, 2 * 0.755 - 1);
+    CHECK((box.node(k) - to).norm() < 1e-5);
+    ++at_the_tip;
+  }
+  CHECK(at_the_tip > 3);
+}
+
 TEST_CASE("An empty skin draws together step by step") {
   SkinnedBody box(-1);
   std::fill(box.around().velocity.begin(), box.around().velocity.end(), Vec4{});
