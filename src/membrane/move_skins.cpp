@@ -12,27 +12,26 @@
 namespace geodrop {
 namespace {
 
-/// Masses of small-mass nodes (light_mass) below which a node knows little of the body: a quarter of a full node, half
-/// as much again as the outer nodes of a plane surface have.
+/// Masses of small-mass nodes (light_mass) below which a node has little of the body: a quarter of a full node, half as
+/// much again as the outer nodes of a plane surface have.
 constexpr double of_little = 12.5;
 
 /// What the nodes around a place of the skin know of the body.
 struct Inside {
   double missing = 0;  ///< the part of the spline that nodes with little of the body lack [-]
-  Vec4 velocity{};     ///< the mean of the nodes, those with little of the body by what they have of it [m/s]
+  Vec4 velocity{};     ///< the mean of the nodes, those of small mass by the part of an impulse that they take [m/s]
 };
 
 Inside inside_at(const Grid<2>& own, const PointSupport<2>& support) {
   Inside inside;
-  double known = 0;
+  double weights = 0;
   support.for_each_node(own.layout, [&](int node, double weight) {
-    const double little = of_little * light_mass<2>(own, stored_cell(own.layout, node));
-    const double kept = weight * std::min(1.0, own.sum[node][3] / little);
-    inside.missing += weight - kept;
-    inside.velocity += kept * own.velocity[node];
-    known += kept;
+    const double light_masses = own.sum[node][3] / light_mass<2>(own, stored_cell(own.layout, node));
+    inside.missing += weight * std::max(0.0, 1 - light_masses / of_little);
+    inside.velocity += weight * std::min(1.0, light_masses) * own.velocity[node];
+    weights += weight * std::min(1.0, light_masses);
   });
-  if (known > 0) inside.velocity *= 1 / known;
+  if (weights > 0) inside.velocity *= 1 / weights;
   return inside;
 }
 
@@ -49,8 +48,8 @@ void move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin, double& larg
     const PointSupport<2> support(own.layout, {before[0][k], before[1][k]}, skin.half_size);
     const Inside inside = inside_at(own, support);
     const double empty = emptiness(inside.missing);
-    Vec4 v = interpolate(own.layout, support, own.velocity);
-    if (empty > 0) v = (1 - empty) * inside.velocity + empty * interpolate(around.layout, support, around.velocity);
+    Vec4 v = inside.velocity;
+    if (empty > 0) v = (1 - empty) * v + empty * interpolate(around.layout, support, around.velocity);
     const bool end = !skin.closed && (k == 0 || k + 1 == n);
     for (int a = 0; a < 2; ++a) {
       skin.v[a][k] = v[a];

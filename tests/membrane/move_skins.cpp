@@ -81,7 +81,7 @@ TEST_CASE("Velocities of nodes that know next to nothing of the body move its sk
   for_each_node(box.inside().layout, 0, [&](int node, const std::array<int, 2>& at) {
     if (at[0] != 6) return;
     box.inside().sum[node][3] = 1e-7;
-    box.inside().velocity[node] = {1e4, 1e4, 0, 0};
+    box.inside().velocity[node] = Vec4{1e4, 1e4, 0, 0};
   });
   move_skins(box.state, box.grids, dt);
   int at_the_tip = 0;
