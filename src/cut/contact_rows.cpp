@@ -59,7 +59,7 @@ void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const 
     for_each_share(cells, contacts[c].stretch, [&](std::size_t at, double share) {
       add_traction(contacts[c], cells, says, at, share * of_row);
       if (says == Says::through && !contacts[c].on_bed)
-        membrane.seepage[at] += share * membrane.permeance * (of_row - contacts[c].pressure);
+        membrane.seepage[at] += share * contacts[c].permeance * (of_row - contacts[c].pressure);
     });
   }
 }

@@ -72,9 +72,9 @@ SparseRows flow_through(const ContactRows<Dim>& rows, const std::vector<Contact<
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t r = 0; r < rows.list().size(); ++r) {
     const Contact<Dim>& contact = contacts[rows.list()[r].contact];
-    if (rows.list()[r].says != Says::through || contact.on_bed || contact.membrane->permeance == 0) continue;
+    if (rows.list()[r].says != Says::through || contact.on_bed || contact.permeance == 0) continue;
     const int inside = static_cast<int>(r), around = inside - 1;  // its row comes first
-    const double flow = contact.membrane->permeance * contact.stretch.size / dt;
+    const double flow = contact.permeance * contact.stretch.size / dt;
     entries.emplace_back(inside, inside, flow);
     entries.emplace_back(around, around, flow);
     entries.emplace_back(inside, around, -flow);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -194,6 +195,19 @@ void look_inside(const CutCells& cells, Contact<2>& contact) {
 }
 void look_inside(const ClippedSurface&, Contact<3>&) {}
 
+/// Mean over a stretch of the permeance of its segments or triangles.
+template <int Dim>
+double permeance_over(const Outline<Dim>& cells, const Contact<Dim>& contact) {
+  const Membrane<Dim>& membrane = *contact.membrane;
+  if (membrane.permeance_strains.empty()) return membrane.permeance;
+  double sum = 0, shares = 0;
+  for_each_share(cells, contact.stretch, [&](std::size_t at, double share) {
+    sum += share * permeance_of(membrane, at);
+    shares += share;
+  });
+  return shares > 0 ? sum / shares : 0.0;
+}
+
 /// What is beside a stretch.
 template <int Dim>
 void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
@@ -206,9 +220,23 @@ void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCe
     set_axes(faces, contact);
   }
   look_inside(cells, contact);
+  contact.permeance = permeance_over(cells, contact);
 }
 
 }  // namespace
+
+template <int Dim>
+double permeance_of(const Membrane<Dim>& membrane, std::size_t segment) {
+  const Array<double>&strains = membrane.permeance_strains, &factors = membrane.permeance_factors;
+  if (strains.empty()) return membrane.permeance;
+  const double strain = membrane.strain[segment];
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(strains.begin(), strains.end(), strain) - strains.begin());
+  if (above == 0) return membrane.permeance * factors.front();
+  if (above == strains.size()) return membrane.permeance * factors.back();
+  const double share = (strain - strains[above - 1]) / (strains[above] - strains[above - 1]);
+  return membrane.permeance * std::lerp(factors[above - 1], factors[above], share);
+}
 
 template <int Dim>
 Array<double>& traction_of(Membrane<Dim>& membrane, Says says) {
@@ -284,6 +312,7 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
 }
 
 #define GEODROP_INSTANTIATE(D)                                                  \
+  template double permeance_of(const Membrane<D>&, std::size_t);                \
   template Array<double>& traction_of(Membrane<D>&, Says);                      \
   template double last_traction<D>(const Contact<D>&, const Outline<D>&, Says); \
   template void forget_tractions(Membrane<D>&);

@@ -23,6 +23,7 @@ struct Contact {
   bool on_bed = false;
   double pore_pressure = 0;  ///< of the bed [Pa]
   double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
+  double permeance = 0;      ///< of the membrane at its strain there [m/(s Pa)]
   bool joined = false;       ///< both sides have mass there
   double pressure = 0;       ///< [Pa]
   double velocity = -1;      ///< of slipping, at a distance from the membrane [m/s]; < 0: not known there
@@ -69,6 +70,10 @@ double last_traction(const Contact<Dim>& contact, const Outline<Dim>& cells, Say
 
 template <int Dim>
 void forget_tractions(Membrane<Dim>& membrane);
+
+/// Permeance of a segment or triangle at its strain, Membrane::permeance times the factor of its table [m/(s Pa)].
+template <int Dim>
+double permeance_of(const Membrane<Dim>& membrane, std::size_t segment);
 
 /// The wet stretches of all sharp membranes. Soil that a membrane slides over is for the plane.
 template <int Dim>

@@ -44,7 +44,7 @@ template <int Dim>
 void add_constants(const Membrane<Dim>& m, Hasher& hash) {
   hash.add(m.name, m.body, m.field, m.closed, m.sharp, m.axial_stiffness, m.strength, m.contents_friction,
            m.gauge_length, m.half_size, m.share, m.bed, m.bed_friction, m.shear, m.wall_friction, m.roughness,
-           m.drag_coefficient, m.fluid_density, m.permeance);
+           m.drag_coefficient, m.fluid_density, m.permeance, m.permeance_strains, m.permeance_factors);
   if constexpr (Dim == 3) {
     const auto& t = m.triangles;
     hash.add(t.fabric, t.poisson_ratio, t.weft_stiffness, t.weft_strength, t.mass_per_area, t.gauge_pressure, t.corner,

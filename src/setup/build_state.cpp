@@ -166,7 +166,10 @@ Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const S
     membrane.water_shear.assign(segments, 0.0);
     if (!spec.bed.empty()) membrane.bed_shear.assign(segments, 0.0);
     if (const std::string& water = find_body(scene, spec.body)->saturated_by; !water.empty()) {
-      membrane.permeance = spec.permittivity / water_unit_weight(scene, *find_body(scene, water));
+      const double open = spec.permittivity * (1 - spec.clogging);
+      membrane.permeance = open / water_unit_weight(scene, *find_body(scene, water));
+      membrane.permeance_strains.assign(spec.permittivity_strains.begin(), spec.permittivity_strains.end());
+      membrane.permeance_factors.assign(spec.permittivity_factors.begin(), spec.permittivity_factors.end());
       membrane.pore_pressure.assign(segments, 0.0);
       membrane.seepage.assign(segments, 0.0);
     }

@@ -169,10 +169,11 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
   const Part part("membrane '" + built.name + "'");
   part.require(alike(membrane, built, &M::name, &M::body, &M::bed), "another name, body or bed");
   part.require(alike(membrane, built, &M::field), "another velocity field");
-  part.require(alike(membrane, built, &M::closed, &M::sharp, &M::axial_stiffness, &M::strength, &M::contents_friction,
-                     &M::gauge_length, &M::half_size, &M::bed_friction, &M::shear, &M::wall_friction, &M::roughness,
-                     &M::drag_coefficient, &M::fluid_density, &M::permeance),
-               "other settings");
+  part.require(
+      alike(membrane, built, &M::closed, &M::sharp, &M::axial_stiffness, &M::strength, &M::contents_friction,
+            &M::gauge_length, &M::half_size, &M::bed_friction, &M::shear, &M::wall_friction, &M::roughness,
+            &M::drag_coefficient, &M::fluid_density, &M::permeance, &M::permeance_strains, &M::permeance_factors),
+      "other settings");
   part.require(alike(membrane, built, &M::x, &M::v, &M::mass, &M::rest_length, &M::strain, &M::tension, &M::load,
                      &M::caught, &M::share, &M::contents_pressure, &M::water_pressure, &M::water_shear, &M::bed_shear,
                      &M::pore_pressure, &M::seepage) &&

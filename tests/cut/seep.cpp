@@ -13,6 +13,7 @@
 #include <random>
 
 #include "cut/interface_cells.hpp"
+#include "cut/interface_contacts.hpp"
 #include "cut/outline_pieces.hpp"
 #include "grid/momentum.hpp"
 #include "grid/neighbourhood.hpp"
@@ -142,6 +143,36 @@ TEST_CASE("What flows into a cell of the bag that has lost its water goes to a n
   }
   update_interface_rates(bag.grids);
   CHECK(water.volume_rate[host] * water.cell_volume[host] == near(2 * 2 * 0.2 * 0.2, 1e-9));
+}
+
+TEST_CASE("The permeance of a segment follows its strain, linear between those of the table, constant beyond") {
+  Bag bag({"membranes.fabric.permittivity_strains=[0.01, 0.03, 0.1]",
+           "membranes.fabric.permittivity_factors=[1.0, 2.0, 1.5]", "membranes.fabric.clogging=0.25"});
+  Membrane<2>& fabric = bag.state.membranes[0];
+  CHECK(fabric.permeance == near(0.75 * 4e-3 / 9810, 1e-12));
+  for (const auto& [strain, factor] :
+       {std::pair{-0.2, 1.0}, {0.01, 1.0}, {0.015, 1.25}, {0.03, 2.0}, {0.065, 1.75}, {0.1, 1.5}, {0.5, 1.5}}) {
+    fabric.strain[7] = strain;
+    CHECK(permeance_of(fabric, 7) == near(factor * fabric.permeance, 1e-12));
+  }
+}
+
+TEST_CASE("Cloth that lets twice as much through stretched, or half clogged, is one of that permittivity") {
+  const auto flow = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(),
+                    {"grid.spacing=0.2", "membranes.fabric.slack=-0.1", "membranes.fabric.axial_stiffness=10.0",
+                     "membranes.fabric.mass_per_area=0.1", "membranes.fabric.strength=1e3"});
+    Bag bag(settings);
+    bag.run(20);
+    CHECK(bag.fabric().strain[3] == near(1 / 0.9 - 1, 0.02));
+    return seepage(bag.fabric());
+  };
+  const double plain = flow({"membranes.fabric.permittivity=4e-3"});
+  REQUIRE(plain < -1e-4);
+  CHECK(flow({"membranes.fabric.permittivity=2e-3", "membranes.fabric.permittivity_strains=[0.0, 0.05]",
+              "membranes.fabric.permittivity_factors=[1.0, 2.0]"}) == near(plain, 1e-12));
+  CHECK(flow({"membranes.fabric.permittivity=8e-3", "membranes.fabric.clogging=0.5"}) == near(plain, 1e-12));
+  CHECK(flow({"membranes.fabric.permittivity=8e-3"}) < 1.1 * plain);
 }
 
 TEST_CASE("No more than half of what is left leaves in a step") {

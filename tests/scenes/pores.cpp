@@ -146,3 +146,18 @@ TEST_CASE("A bag of saturated sand has the same shape under 10 m and under 100 m
   const char* pores = "pore_water.mean_pressure_centre_Pa";
   CHECK(end(deep, pores) - end(shallow, pores) == near(90 * 1000 * 9.81, 0.03));  // 2 % of it: water is compressed
 }
+
+TEST_CASE("Stretched cloth twice as open lets through what the closed form of that permittivity says") {
+  const auto inflow = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"grid.spacing=0.2", "membranes.fabric.slack=-0.1",
+                                     "membranes.fabric.axial_stiffness=10.0", "membranes.fabric.mass_per_area=0.1",
+                                     "membranes.fabric.strength=1e3", "membranes.fabric.permittivity=2e-3"});
+    const SceneRun run("cases/verification/seepage_through_fabric.toml", settings);
+    REQUIRE(run.outcome().code == 0);
+    return run.result("late_inflow_m2_s");
+  };
+  constexpr double exact = 1.566888e-3;  // Carslaw & Jaeger 1959, section 7.7, with psi = 4e-3 1/s
+  CHECK(inflow({"membranes.fabric.permittivity_strains=[0.0, 0.05]",
+                "membranes.fabric.permittivity_factors=[1.0, 2.0]"}) == near(exact, 0.03));
+  CHECK(inflow({}) < 0.95 * exact);
+}

@@ -114,8 +114,11 @@ struct MembraneSpec {
   std::string bed;              ///< body around that a sharp membrane rubs on; empty: none
   double bed_friction = 0;      ///< on it [-]
   double permittivity = 0;      ///< psi: flow per area and head [1/s]; 0: tight
-  SurfaceSpec surface;          ///< in space
-  DrawnSurface drawn;           ///< in space, once it is drawn
+  double clogging = 0;          ///< part of it that clogged pores take [-]
+  std::vector<double> permittivity_strains;  ///< at which it is that many times psi, linear between [-]; empty: once
+  std::vector<double> permittivity_factors;  ///< likewise [-]
+  SurfaceSpec surface;                       ///< in space
+  DrawnSurface drawn;                        ///< in space, once it is drawn
   Fabric fabric = Fabric::isotropic;
   double poisson_ratio = 0;   ///< of an isotropic one [-]
   double weft_stiffness = 0;  ///< of one of yarns [N/m]; axial_stiffness is that of the warp

@@ -136,9 +136,11 @@ struct Membrane {
   Array<double> bed_shear;       ///< the part of it that is friction on the bed [Pa]; empty without a bed
 
   // Of a sharp membrane whose body is a soil with water in its pores:
-  double permeance = 0;         ///< flow through it per area and pressure difference, psi / gamma_w [m/(s Pa)]
-  Array<double> pore_pressure;  ///< segments: of the water inside on it [Pa]; else empty
-  Array<double> seepage;        ///< segments: flow through it per area, outwards [m/s]
+  double permeance = 0;             ///< flow through it per area and pressure difference, psi / gamma_w [m/(s Pa)]
+  Array<double> permeance_strains;  ///< strains at which it is `permeance_factors` times that, linear between [-]
+  Array<double> permeance_factors;  ///< [-]
+  Array<double> pore_pressure;      ///< segments: of the water inside on it [Pa]; else empty
+  Array<double> seepage;            ///< segments: flow through it per area, outwards [m/s]
 
   /// In space `strain` and `tension` are those of triangles: the larger principal ones, or of the warp.
   [[no_unique_address]] MembraneTriangles<Dim> triangles;

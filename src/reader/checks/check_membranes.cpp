@@ -102,6 +102,22 @@ void check_permittivity(const Scene& scene, const MembraneSpec& membrane, const 
              "permittivity where the body is a soil with drainage = \"coupled\"; else 0, tight");
 }
 
+/// The table of how the permittivity changes as the cloth stretches.
+void check_permittivity_table(const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const std::vector<double>&strains = membrane.permittivity_strains, &factors = membrane.permittivity_factors;
+  if (strains.empty() && factors.empty() && membrane.clogging == 0) return;
+  if (!(membrane.permittivity > 0)) {
+    const std::string of_none = strains.empty() && factors.empty() ? ".clogging" : ".permittivity_strains";
+    report.add(key + of_none, "it without a permittivity", "permittivity > 0 beside it");
+  } else if (!std::is_sorted(strains.begin(), strains.end(), std::less_equal<>())) {
+    report.add(key + ".permittivity_strains", to_text(strains), "strains each above the one before");
+  } else if (strains.size() != factors.size()) {
+    report.add(key + ".permittivity_factors",
+               std::to_string(factors.size()) + " values for " + std::to_string(strains.size()) + " strains",
+               "one value for each strain");
+  }
+}
+
 /// Both sides of a sharp interface have pressures of cells, and cells are knot spans.
 void check_interface(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (membrane.interface != Interface::sharp || !report.healthy(key + ".interface") || !report.healthy("bodies"))
@@ -174,6 +190,7 @@ void check_membranes(const Scene& scene, Report& report) {
     check_contents(scene, membrane, key, report);
     check_bed(scene, membrane, key, report);
     check_permittivity(scene, membrane, key, report);
+    check_permittivity_table(membrane, key, report);
     check_fluid_around(scene, membrane, key, report);
     if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }

@@ -10,6 +10,7 @@ constexpr Range dense{"from 2 (fluid leaks between nodes that are farther apart)
 constexpr Range dense_in_space{"from 1 to 64", [](double x) { return x >= 1 && x <= 64; }};
 constexpr Range poisson_range{"> -1 and < 1", [](double x) { return x > -1 && x < 1; }};
 constexpr Range slack_range{"> -1", [](double x) { return x > -1; }};
+constexpr Range share_but_all{">= 0 and < 1", [](double x) { return x >= 0 && x < 1; }};
 
 }  // namespace
 
@@ -83,7 +84,10 @@ roughness = 0.003)", {
       key("drag_coefficient", &MembraneSpec::drag_coefficient, "", standard("0.0"), not_negative, "C_d of a model drag 1/2 rho C_d W v^2 on the width W across the body's motion, in place of the wake that a flow without friction lacks; the fluid does not feel it").only("interface=sharp").in(2),
       key("bed", &MembraneSpec::bed, standard("\"\""), free_text, "with interface = sharp: a body of soil around it on which it rubs and from which it parts rather than pull; it does not part from anything else"),
       key("bed_friction", &MembraneSpec::bed_friction, "", standard("0.0"), not_negative, "coefficient of friction on the bed; given with bed only"),
-      key("permittivity", &MembraneSpec::permittivity, "1/s", standard("0.0"), not_negative, "psi of the data sheet (EN ISO 11058, ASTM D4491), less what clogs: water flows through it by psi times the difference of head; 0: tight. Given with interface = sharp around a coupled soil only").only("interface=sharp").in(2),
+      key("permittivity", &MembraneSpec::permittivity, "1/s", standard("0.0"), not_negative, "psi of the data sheet (EN ISO 11058, ASTM D4491): water flows through it by psi times the difference of head; 0: tight. Given with interface = sharp around a coupled soil only").only("interface=sharp").in(2),
+      key("clogging", &MembraneSpec::clogging, "", standard("0.0"), share_but_all, "part of the permittivity that grains in the pores of the geotextile take, from a test with the soil (gradient ratio, ASTM D5101)").only("interface=sharp").in(2),
+      key.reals("permittivity_strains", &MembraneSpec::permittivity_strains, "", standard("[]"), any, "strains of the geotextile, ascending, for which permittivity_factors stand: stretched cloth is more open, or less; empty: the same at any strain").only("interface=sharp").in(2),
+      key.reals("permittivity_factors", &MembraneSpec::permittivity_factors, "", standard("[]"), not_negative, "how many times the permittivity it has at each of these strains, linear between them, constant before the first and after the last").only("interface=sharp").in(2),
       key("contents_friction", &MembraneSpec::contents_friction, "", derived("tan(2/3 phi) of a mohr_coulomb body, `0.0` of a newtonian one, else `inf`"), friction_or_glued, "mu between the geotextile and what is inside: it slides along its line where its tension changes by more than mu p' per length, p' the effective pressure of the body on it; inf: glued to the body").in(2),
       key("gauge_length", &MembraneSpec::gauge_length, "m", standard("0.2"), positive, "length along the membrane that the reported tension is a mean over; 0.2 m is the width of a wide-width strip test").in(2),
   }};
