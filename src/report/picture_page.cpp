@@ -127,13 +127,13 @@ std::string legend_text(const std::vector<LegendEntry>& legend, const PictureLay
   return text;
 }
 
-/// Title and axes of a view.
-std::string axes_text(const PaintedView& painted, const Panel& panel, const std::string& title) {
+/// Axes of a view.
+std::string axes_text(const PaintedView& painted, const Panel& panel) {
   const auto label = [&](int axis) { return std::string("'") + "xyz"[painted.view.facing.axis[axis]] + " [m]'"; };
   const Window& window = panel.window;
-  return "set title " + gnuplot_text(title) + "\nset xlabel " + label(0) + "\nset ylabel " + label(1) +
-         " offset character 1,0" + "\nset xrange " + range_text(window.lower[0], window.upper[0]) + "\nset yrange " +
-         range_text(window.lower[1], window.upper[1]) + "\nset xtics out nomirror\nset ytics out nomirror\n";
+  return "set xlabel " + label(0) + "\nset ylabel " + label(1) + " offset character 1,0" + "\nset xrange " +
+         range_text(window.lower[0], window.upper[0]) + "\nset yrange " + range_text(window.lower[1], window.upper[1]) +
+         "\nset xtics out nomirror\nset ytics out nomirror\n";
 }
 
 /// Pixels and lines of a view.
@@ -179,6 +179,20 @@ std::string bars_text(const PictureContent& content, const PictureLayout& layout
 }
 
 }  // namespace
+
+std::string title_text(const std::string& title, const Panel& panel, const PictureLayout& layout) {
+  constexpr double letter = 9;  // px, of the wider ones
+  if (letter * static_cast<double>(title.size()) <= panel.pixels.width + 2.0 * left)
+    return "set title " + gnuplot_text(title) + "\n";
+  const auto of_a_line = static_cast<std::size_t>((layout.width - panel.left) / letter);
+  std::size_t space = std::string::npos;
+  if (title.size() > of_a_line) space = title.rfind(' ', std::min(of_a_line, title.rfind(" t = ")));
+  std::string lines = gnuplot_text(title.substr(0, space));
+  if (space != std::string::npos) lines += ".\"\\n\"." + gnuplot_text(title.substr(space + 1));
+  const Shares at{layout};
+  return "set title ''\nset label " + lines + " left at screen " + at.x(panel.left) + "," +
+         at.y(layout.height - 0.35 * above) + "\n";
+}
 
 PictureLayout layout_of(const Extent& shown, const PictureContent& content) {
   std::vector<Window> windows;
@@ -231,8 +245,9 @@ std::string page_text(const Scene& scene, double t, const PictureContent& conten
     const PaintedView& painted = content.views[v];
     const Panel& panel = layout.panels[v];
     text += at.margins(panel.left, right_of(panel)) +
-            axes_text(painted, panel, painted.view.title.empty() ? title : painted.view.title) +
-            plot_text(scene, painted, content.membrane, panel, pixels[v]) + "unset object\nunset label\n";
+            title_text(painted.view.title.empty() ? title : painted.view.title, panel, layout) +
+            axes_text(painted, panel) + plot_text(scene, painted, content.membrane, panel, pixels[v]) +
+            "unset object\nunset label\n";
   }
   return text + bars_text(content, layout) + "unset multiplot\n";
 }

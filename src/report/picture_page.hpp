@@ -25,6 +25,10 @@ struct PictureLayout {
 
 PictureLayout layout_of(const Extent& shown, const PictureContent& content);
 
+/// The title of a view: over its middle, or from its left edge on where it is too long for that, in two lines where it
+/// is too long for the picture.
+std::string title_text(const std::string& title, const Panel& panel, const PictureLayout& layout);
+
 /// What comes before the pages.
 std::string page_opening(const std::string& terminal, const PictureLayout& layout,
                          const std::filesystem::path& picture);

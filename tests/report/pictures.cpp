@@ -1,6 +1,7 @@
 // Pictures of frames: pixels of particles, colours, numbers with few digits, frames read back.
 #include "files/frame_writer.hpp"
 #include "files/read_frames.hpp"
+#include "report/picture_page.hpp"
 #include "report/picture_pixels.hpp"
 #include "report/picture_values.hpp"
 #include "report/raster.hpp"
@@ -150,6 +151,16 @@ TEST_CASE("Water around a bag is not seen inside its membrane, where its particl
   CHECK(is_of(5.9, 4, red));   // the water is nearer
   CHECK(is_of(6.1, 4, blue));  // beyond the membrane the bag is not seen
   CHECK(is_of(3, 3, blue));    // water that got in
+}
+
+TEST_CASE("A title too long for its view begins at its left edge, one too long for the picture goes on below") {
+  const Panel panel{{}, {400, 600}, 80};
+  PictureLayout layout{{panel}, 900, 700};
+  CHECK(contains(title_text("Sand, t = 2.00 s", panel, layout), "set title 'Sand, t = 2.00 s'"));
+  const std::string longer = title_text(std::string(70, 'a') + ", t = 2.00 s", panel, layout);
+  CHECK(contains(longer, "set label '" + std::string(70, 'a') + ", t = 2.00 s' left at screen"));
+  const std::string two_lines = title_text(std::string(80, 'a') + ", t = 2.00 s", panel, layout);
+  CHECK(contains(two_lines, "a,'.\"\\n\".'t = 2.00 s'"));
 }
 
 TEST_CASE("Values of fields by their names: lengths of vectors, components, numbers") {
