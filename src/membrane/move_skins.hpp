@@ -6,9 +6,10 @@
 
 namespace geodrop {
 
-/// Whether a membrane is a skin with a sharp interface, which moves with what is on its two sides.
+/// Whether a membrane is a skin with a sharp interface, which moves with what is on its two sides; not while it waits
+/// to be placed.
 inline bool is_sharp_skin(const Membrane<2>& membrane) {
-  return membrane.sharp && membrane.axial_stiffness == 0 && membrane.mass.front() == 0;
+  return membrane.sharp && membrane.field != waiting && membrane.axial_stiffness == 0 && membrane.mass.front() == 0;
 }
 
 /// Moves the nodes of sharp skins over `dt` [s] with the body inside them. Where little of it is left around a node, as

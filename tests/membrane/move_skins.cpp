@@ -107,7 +107,7 @@ TEST_CASE("An empty skin draws together step by step") {
   CHECK(length() < 0.3 * at_first);
 }
 
-TEST_CASE("A membrane with mass or stiffness, and one without a sharp interface, are no sharp skins") {
+TEST_CASE("A membrane with mass or stiffness, or without a sharp interface, is no sharp skin") {
   SharpBox box;
   CHECK_FALSE(is_sharp_skin(box.skin()));
   box.skin().mass.assign(box.skin().nodes(), 0.0);
@@ -117,4 +117,11 @@ TEST_CASE("A membrane with mass or stiffness, and one without a sharp interface,
   box.skin().axial_stiffness = 0;
   box.skin().sharp = false;
   CHECK_FALSE(is_sharp_skin(box.skin()));
+}
+
+TEST_CASE("A skin that waits to be placed does not move") {
+  SkinnedBody box(12), before(12);
+  box.skin().field = waiting;
+  move_skins(box.state, box.grids, dt);
+  CHECK(box.skin().x == before.skin().x);
 }
