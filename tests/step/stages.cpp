@@ -44,10 +44,17 @@ TEST_CASE("Elastic solids with particle pressure have no stage of cells") {
 
 TEST_CASE("A sharp interface adds its stages") {
   CHECK(stages("cases/ellipse_release.toml") ==
-        Names{"even_out_nodes", "sort_particles", "clear_grid", "cut_cells", "cell_pressure", "interface_pressure",
-              "even_out_volumes", "particles_to_grid", "slide_membranes", "membranes_to_grid", "interface_force",
-              "fold_walls", "momentum", "join_interfaces", "volume_rate", "interface_rate", "grid_to_particles",
-              "grid_to_membranes", "keep_sides"});
+        Names{"even_out_nodes",     "sort_particles",    "clear_grid",        "cut_cells",       "cell_pressure",
+              "interface_pressure", "even_out_volumes",  "particles_to_grid", "slide_membranes", "membranes_to_grid",
+              "interface_force",    "fold_walls",        "momentum",          "join_interfaces", "volume_rate",
+              "interface_rate",     "grid_to_particles", "grid_to_membranes", "keep_sides",      "limit_unseen"});
+}
+
+TEST_CASE("A sharp skin moves apart from cloth; only blended velocities have a part that nodes do not see") {
+  const Names block = stages("cases/verification/floating_block.toml"), bag = stages("cases/ellipse_release.toml");
+  CHECK(std::count(block.begin(), block.end(), "move_skins") == 1);
+  CHECK(std::count(bag.begin(), bag.end(), "move_skins") == 0);
+  CHECK(std::count(block.begin(), block.end(), "limit_unseen") == 0);  // transfer = "tpic"
 }
 
 TEST_CASE("Drag of a membrane is a stage where its coefficient is not 0") {
