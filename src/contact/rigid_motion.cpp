@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/value_at.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -15,16 +17,6 @@ std::array<double, Dim> as_array(const Point& v, double factor = 1) {
   std::array<double, Dim> array;
   for (int a = 0; a < Dim; ++a) array[a] = factor * v[a];
   return array;
-}
-
-/// Piecewise linear; the first or last value outside of the times.
-template <class Value>
-Value at_time(double t, const std::vector<double>& times, const std::vector<Value>& values, auto&& mix) {
-  const auto above = std::upper_bound(times.begin(), times.end(), t) - times.begin();
-  if (above == 0) return values.front();
-  if (above == static_cast<std::ptrdiff_t>(times.size())) return values.back();
-  const double share = (t - times[above - 1]) / (times[above] - times[above - 1]);
-  return mix(values[above - 1], values[above], share);
 }
 
 /// Sets angle and displacement from the time for which the body has moved.
@@ -42,11 +34,10 @@ struct Pose {
   }
   void operator()(const TableMotionSpec& table) const {
     if (!table.angles_deg.empty())
-      body.angle = radians * at_time(body.moved, table.times, table.angles_deg,
-                                     [](double a, double b, double s) { return a + s * (b - a); });
+      body.angle = radians * value_at(body.moved, table.times, table.angles_deg);
     else
       body.displacement =
-          as_array<Dim>(at_time(body.moved, table.times, table.displacements, [](Point a, const Point& b, double s) {
+          as_array<Dim>(value_at(body.moved, table.times, table.displacements, [](Point a, const Point& b, double s) {
             for (std::size_t k = 0; k < a.size(); ++k) a[k] += s * (b[k] - a[k]);
             return a;
           }));

@@ -17,6 +17,13 @@ bool acts_sharply(const Membrane<Dim>& membrane) {
   return membrane.sharp && membrane.field != waiting;
 }
 
+/// Whether particles of a body may be in cells that a sharp membrane cuts: of its content, of the water in the pores of
+/// that, of what is around.
+template <int Dim>
+bool is_beside(const Body<Dim>& body, const Membrane<Dim>& membrane, int pore_water) {
+  return body.field != waiting && (body.field == 0 || body.field == membrane.field || body.field == pore_water);
+}
+
 /// The knot span of a cell along one axis.
 template <int Dim>
 SpanShape span_of(const GridLayout<Dim>& layout, int axis, int flat) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/value_at.hpp"
 #include "cells_around.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
@@ -227,15 +228,9 @@ void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCe
 
 template <int Dim>
 double permeance_of(const Membrane<Dim>& membrane, std::size_t segment) {
-  const Array<double>&strains = membrane.permeance_strains, &factors = membrane.permeance_factors;
-  if (strains.empty()) return membrane.permeance;
-  const double strain = membrane.strain[segment];
-  const auto above =
-      static_cast<std::size_t>(std::upper_bound(strains.begin(), strains.end(), strain) - strains.begin());
-  if (above == 0) return membrane.permeance * factors.front();
-  if (above == strains.size()) return membrane.permeance * factors.back();
-  const double share = (strain - strains[above - 1]) / (strains[above] - strains[above - 1]);
-  return membrane.permeance * std::lerp(factors[above - 1], factors[above], share);
+  if (membrane.permeance_strains.empty()) return membrane.permeance;
+  return membrane.permeance *
+         value_at(membrane.strain[segment], membrane.permeance_strains, membrane.permeance_factors);
 }
 
 template <int Dim>

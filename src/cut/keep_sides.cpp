@@ -202,9 +202,7 @@ struct Keeper {
         box(all.front().layout, field.outline) {}
 
   /// Of what is on one side of the membrane, whatever its side: its content, the water in its pores, what is around.
-  bool keeps(const Body<Dim>& body) const {
-    return body.field != waiting && (body.field == 0 || body.field == membrane.field || body.field == field.pore_water);
-  }
+  bool keeps(const Body<Dim>& body) const { return is_beside(body, membrane, field.pore_water); }
   /// Where a particle of a body goes that is on the wrong side; none is in cells that its body has for itself.
   std::optional<RightSide<Dim>> moves(const Body<Dim>& body, std::size_t p) const {
     const Grid<Dim>& own = grids[body.field];

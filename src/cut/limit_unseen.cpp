@@ -9,7 +9,6 @@
 
 #include "cells_around.hpp"
 #include "grid/point_support.hpp"
-#include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -21,8 +20,7 @@ std::vector<BoxOfCells<Dim>> boxes_of(const State<Dim>& state, const Grids<Dim>&
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
     const Grid<Dim>& inside = grids[membrane.field];
-    if (body.field == 0 || body.field == membrane.field || body.field == inside.pore_water)
-      boxes.emplace_back(grids.front().layout, inside.outline);
+    if (is_beside(body, membrane, inside.pore_water)) boxes.emplace_back(grids.front().layout, inside.outline);
   }
   return boxes;
 }
@@ -44,7 +42,7 @@ template <int Dim>
 void limit_unseen(State<Dim>& state, const Grids<Dim>& grids) {
   if (!std::isfinite(state.drift)) return;  // a particle is lost, perhaps off the grid: the next sort reports it
   for (Body<Dim>& body : state.bodies) {
-    if (body.field == waiting || !std::holds_alternative<Newtonian>(body.material)) continue;
+    if (!std::holds_alternative<Newtonian>(body.material)) continue;
     const std::vector<BoxOfCells<Dim>> boxes = boxes_of(state, grids, body);
     if (boxes.empty()) continue;
     const Grid<Dim>& own = grids[body.field];

@@ -70,11 +70,12 @@ std::array<double, Dim> in_domain(const GridLayout<Dim>& layout, std::array<doub
   return x;
 }
 
-/// Whether move_skins moves a membrane.
+/// Whether the nodes of a membrane move with this field; those of sharp skins do so in move_skins.
 template <int Dim>
-bool moves_as_skin(const Membrane<Dim>& membrane) {
-  if constexpr (Dim == 2) return is_sharp_skin(membrane);
-  return false;
+bool moves_with(const Grid<Dim>& grid, const Membrane<Dim>& membrane) {
+  if constexpr (Dim == 2)
+    if (is_sharp_skin(membrane)) return false;
+  return membrane.field == grid.field;
 }
 
 }  // namespace
@@ -144,14 +145,16 @@ void update_membrane_velocity(const SolverSpec& solver, State<Dim>& state, const
   const bool blend = solver.transfer != Transfer::tpic;
   const double keep = blend ? std::exp(-solver.blend_rate * dt) : 0.0;
   const double damping = std::exp(-state.damping_rate * dt);
-  for (Membrane<Dim>& membrane : state.membranes)
-    for (std::size_t k = 0; membrane.field == grid.field && k < membrane.nodes(); ++k) {
+  for (Membrane<Dim>& membrane : state.membranes) {
+    if (!moves_with(grid, membrane)) continue;
+    for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);
       const Vec4 change = blend ? interpolate(grid.layout, support, grid.velocity_change) : Vec4{};
       for (int a = 0; a < Dim; ++a)
         membrane.v[a][k] = damping * (keep * (membrane.v[a][k] + change[a]) + (1 - keep) * v[a]);
     }
+  }
 }
 
 template <int Dim>
@@ -169,7 +172,7 @@ void grid_to_membranes(const SolverSpec& solver, State<Dim>& state, const Grid<D
   if (solver.transfer != Transfer::musl) update_membrane_velocity(solver, state, grid, dt);
   double displacement = 0;
   for (Membrane<Dim>& membrane : state.membranes) {
-    if (membrane.field != grid.field || moves_as_skin(membrane)) continue;
+    if (!moves_with(grid, membrane)) continue;
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const PointSupport<Dim> support = support_of_node(grid.layout, membrane, k);
       const Vec4 v = interpolate(grid.layout, support, grid.velocity);

@@ -39,22 +39,23 @@ Inside inside_at(const Grid<2>& own, const PointSupport<2>& support) {
 /// surface of a full body 0.22 of it does at most.
 double emptiness(double missing) { return std::clamp(2 * missing - 1, 0.0, 1.0); }
 
-void move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin, double& largest) {
+/// The largest displacement along an axis [m].
+double move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin) {
   constexpr double drawn_back_in_a_step = 0.1;
   const Grid<2>&own = grids[skin.field], &around = grids.front();
   const std::size_t n = skin.nodes();
-  const std::array<Array<double>, 2> before = {skin.x[0], skin.x[1]};
+  const std::array<Array<double>, 2> before = skin.x;
+  double largest = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const PointSupport<2> support(own.layout, {before[0][k], before[1][k]}, skin.half_size);
     const Inside inside = inside_at(own, support);
     const double empty = emptiness(inside.missing);
     Vec4 v = inside.velocity;
     if (empty > 0) v = (1 - empty) * v + empty * interpolate(around.layout, support, around.velocity);
-    const bool end = !skin.closed && (k == 0 || k + 1 == n);
     for (int a = 0; a < 2; ++a) {
       skin.v[a][k] = v[a];
       double way = dt * v[a];
-      if (empty > 0 && !end) {
+      if (empty > 0) {
         const double middle = (before[a][k == 0 ? n - 1 : k - 1] + before[a][end_of_edge(k, n)]) / 2;
         way += drawn_back_in_a_step * empty * (middle - before[a][k]);
       }
@@ -63,6 +64,7 @@ void move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin, double& larg
     }
     check_on_grid<2>(own.layout, place_at(skin.x, k), "a node of membrane", skin.name);
   }
+  return largest;
 }
 
 }  // namespace
@@ -70,7 +72,7 @@ void move_skin(const Grids<2>& grids, double dt, Membrane<2>& skin, double& larg
 void move_skins(State<2>& state, const Grids<2>& grids, double dt) {
   double largest = 0;
   for (Membrane<2>& membrane : state.membranes)
-    if (is_sharp_skin(membrane)) move_skin(grids, dt, membrane, largest);
+    if (is_sharp_skin(membrane)) largest = std::max(largest, move_skin(grids, dt, membrane));
   state.drift += largest;
 }
 
