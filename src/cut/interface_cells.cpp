@@ -276,13 +276,14 @@ namespace {
 
 /// Grains at the nodes of pore water beside a membrane, by their volume: grid/momentum takes 1 - n, as if the splines
 /// were full there.
-void fill_with_grains(Grid<2>& water) {
-  for_each_active_real_row(water, [&](int begin, int count, std::array<int, 2> node) {
+template <int Dim>
+void fill_with_grains(Grid<Dim>& water) {
+  for_each_active_real_row(water, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
       const double n = water.pore_share[flat];
       if (!(n > 0 && n < 1)) continue;
-      const double grains = water.sum[flat][2] * (1 - n) / n;
-      water.velocity[flat][3] += grains / node_measure<2>(water, node) - (1 - n);
+      const double grains = spline_volume(water, flat) * (1 - n) / n;
+      water.velocity[flat][3] += grains / node_measure<Dim>(water, node) - (1 - n);
     }
   });
 }
@@ -318,8 +319,7 @@ void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
     for (const PartCell<Dim>& part : grid.part_cells) fill(grid, part.flat, part.elsewhere);
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    if constexpr (Dim == 2)
-      if (Grid<2>& pressed = pressed_field(membrane, grids); !pressed.pore_share.empty()) fill_with_grains(pressed);
+    if (Grid<Dim>& pressed = pressed_field(membrane, grids); !pressed.pore_share.empty()) fill_with_grains(pressed);
     for (const bool inside : {true, false})
       for_each_uncut(layout, grids[membrane.field].outline, inside, [&](int flat) {
         fill(inside ? grids.front() : pressed_field(membrane, grids), flat, whole_value(spans_of(layout, flat)));

@@ -14,15 +14,12 @@
 #include "cut_cells.hpp"
 #include "grid/point_support.hpp"
 #include "membrane/outline.hpp"
+#include "membrane/part_size.hpp"
 #include "membrane/triangles.hpp"
 #include "outline_pieces.hpp"
 
 namespace geodrop {
 namespace {
-
-/// Size of a segment or triangle [m, m2].
-double size_of(const Membrane<2>& membrane, std::size_t segment) { return segment_length(membrane, segment); }
-double size_of(const Membrane<3>& membrane, std::size_t triangle) { return 0.5 * normal_of(membrane, triangle).norm(); }
 
 /// Mean over a stretch of the effective pressure inside.
 double pressure_inside(const Membrane<2>& membrane, const CutCells& cells, const Stretch& stretch) {

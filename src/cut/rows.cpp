@@ -34,14 +34,15 @@ Row<Dim> even_out_volumes_row(const Scene& scene) {
           [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
 }
 
-Row<2> seep_row(const Scene& scene) {
+template <int Dim>
+Row<Dim> seep_row(const Scene& scene) {
   return {"seep",
           Data::cut_cells | Data::position | Data::volume_ratio | Data::membranes | Data::membrane_position |
               Data::water_traction,
           Data::mass | Data::velocity | Data::volume_ratio | Data::material_state,
           std::any_of(scene.membranes.begin(), scene.membranes.end(),
                       [](const MembraneSpec& membrane) { return membrane.permittivity > 0; }),
-          [](State<2>& s, const Grids<2>& f, const StepContext& step) { seep(s, f, step.dt); }};
+          [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { seep(s, f, step.dt); }};
 }
 
 Row<2> model_drag_row(const Scene& scene) {
@@ -103,6 +104,7 @@ Row<Dim> limit_unseen_row(const Scene& scene) {
   template Row<D> cut_cells_row<D>(const Scene&);          \
   template Row<D> interface_pressure_row<D>(const Scene&); \
   template Row<D> even_out_volumes_row<D>(const Scene&);   \
+  template Row<D> seep_row<D>(const Scene&);               \
   template Row<D> interface_force_row<D>(const Scene&);    \
   template Row<D> join_interfaces_row<D>(const Scene&);    \
   template Row<D> fill_other_sides_row<D>(const Scene&);   \

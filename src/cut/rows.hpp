@@ -1,4 +1,4 @@
-// Rows of the step for bodies that meet at a sharp interface; seepage and model drag are for the plane.
+// Rows of the step for bodies that meet at a sharp interface; model drag is for the plane.
 #pragma once
 
 #include <geodrop/grid/row.hpp>
@@ -11,7 +11,8 @@ template <int Dim>
 Row<Dim> interface_pressure_row(const Scene& scene);
 template <int Dim>
 Row<Dim> even_out_volumes_row(const Scene& scene);
-Row<2> seep_row(const Scene& scene);
+template <int Dim>
+Row<Dim> seep_row(const Scene& scene);
 Row<2> model_drag_row(const Scene& scene);
 template <int Dim>
 Row<Dim> interface_force_row(const Scene& scene);

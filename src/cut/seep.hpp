@@ -10,6 +10,7 @@ namespace geodrop {
 /// For each cell that a membrane cuts: the particles in the cells that share its pressure inside, and those of the
 /// fluid around in the cells that share it there, exchange the mass that flows in a step, with the mean velocity of
 /// the givers. Mass and momentum are kept to round-off; particles stay on their side.
-void seep(State<2>& state, const Grids<2>& grids, double dt);
+template <int Dim>
+void seep(State<Dim>& state, const Grids<Dim>& grids, double dt);
 
 }  // namespace geodrop

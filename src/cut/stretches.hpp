@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "grid/node_vectors.hpp"
@@ -36,15 +37,20 @@ void for_each_piece(const ClippedSurface& cells, const Stretch& stretch, F&& f) 
   }
 }
 
-/// f(segment or triangle, share of it) for the pieces of a stretch.
-template <class F>
-void for_each_share(const CutCells& cells, const Stretch& stretch, F&& f) {
-  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) { f(piece.edge, piece.to - piece.from); });
+/// The segment or triangle that a piece is of, and which share of it that is [-].
+inline std::pair<std::size_t, double> share_of(const CutCells::Piece& piece) {
+  return {piece.edge, piece.to - piece.from};
 }
-template <class F>
-void for_each_share(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
-  for_each_piece(cells, stretch, [&](const ClippedCells::Piece& piece) {
-    f(piece.triangle, piece.share[0] + piece.share[1] + piece.share[2]);
+inline std::pair<std::size_t, double> share_of(const ClippedCells::Piece& piece) {
+  return {piece.triangle, piece.share[0] + piece.share[1] + piece.share[2]};
+}
+
+/// f(segment or triangle, share of it) for the pieces of a stretch.
+template <class Cells, class F>
+void for_each_share(const Cells& cells, const Stretch& stretch, F&& f) {
+  for_each_piece(cells, stretch, [&](const auto& piece) {
+    const auto [part, share] = share_of(piece);
+    f(part, share);
   });
 }
 

@@ -8,7 +8,7 @@
 #include "cut_cells.hpp"
 #include "geometry/polygon.hpp"
 #include "membrane/outline.hpp"
-#include "membrane/triangles.hpp"
+#include "membrane/part_size.hpp"
 
 namespace geodrop {
 namespace {
@@ -208,7 +208,7 @@ std::vector<KnotShares> shares_of(const std::vector<Contact<3>>& contacts, const
     }
     if (contact.on_bed) continue;
     for_each_share(grids[contact.membrane->field].outline, contact.stretch, [&](std::size_t triangle, double share) {
-      const double part = share * 0.5 * normal_of(*contact.membrane, triangle).norm() / contact.stretch.size;
+      const double part = share * size_of(*contact.membrane, triangle) / contact.stretch.size;
       for (const auto& [knot, value] : contact.knots->of_triangle[triangle]) add(first + knot, part * value, shares[c]);
     });
   }

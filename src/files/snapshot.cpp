@@ -104,6 +104,10 @@ void append_triangles(const Membrane<3>& membrane, std::uint32_t index, Membrane
     out.fields[3].values.push_back(narrow(triangles.cross_tension[t]));
     if (out.fields.size() > 4)
       out.fields[4].values.push_back(membrane.water_pressure.empty() ? none : narrow(membrane.water_pressure[t]));
+    if (out.fields.size() > 5) {
+      out.fields[5].values.push_back(membrane.pore_pressure.empty() ? none : narrow(membrane.pore_pressure[t]));
+      out.fields[6].values.push_back(membrane.seepage.empty() ? none : narrow(membrane.seepage[t]));
+    }
     out.membrane.push_back(index);
   }
 }
@@ -208,9 +212,10 @@ Snapshot take_snapshot(const State<Dim>& state, const std::vector<std::string>& 
       snapshot.membranes.fields.push_back({name, {}, {}});
   } else {
     snapshot.membranes.fields.push_back({"cross_tension", {}, {}});
-    if (std::any_of(state.membranes.begin(), state.membranes.end(),
-                    [](const auto& membrane) { return membrane.sharp; }))
+    if (std::ranges::any_of(state.membranes, &Membrane<Dim>::sharp))
       snapshot.membranes.fields.push_back({"water_pressure", {}, {}});
+    if (std::ranges::any_of(state.membranes, [](const auto& membrane) { return !membrane.pore_pressure.empty(); }))
+      for (const char* name : {"pore_pressure", "seepage"}) snapshot.membranes.fields.push_back({name, {}, {}});
     snapshot.membranes.corners = 3;
   }
   for (std::size_t m = 0; m < state.membranes.size(); ++m) {

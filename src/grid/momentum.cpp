@@ -130,8 +130,7 @@ template <int Dim>
 CellRow<Dim> fill_ratios(const Grid<Dim>& grid, int begin, int count, const std::array<int, Dim>& node) {
   CellRow<Dim> fill{};
   if (grid.cell_volume.empty() || (Dim == 3 && grid.force.empty())) return fill;
-  const Array<Vec4>& volumes = Dim == 2 ? grid.sum : grid.force;
-  for (int k = 0; k < count; ++k) fill[k] = volumes[begin + k][Dim == 2 ? 2 : 3];
+  for (int k = 0; k < count; ++k) fill[k] = spline_volume(grid, begin + k);
   for (int k = 0; k < count && !grid.rigid_splines.empty(); ++k) fill[k] += grid.rigid_splines[begin + k];
   const CellRow<Dim> whole = node_measures<Dim>(grid, count, node);
   for (int k = 0; k < count; ++k) fill[k] /= whole[k];

@@ -20,6 +20,12 @@ double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node);
 template <int Dim>
 double node_measure(const Grid<Dim>& grid, const std::array<int, Dim>& node);
 
+/// Volume of the particles of a field that a node's spline holds [m3]; in space where stresses have sums of their own.
+template <int Dim>
+double spline_volume(const Grid<Dim>& grid, int flat) {
+  return Dim == 2 ? grid.sum[flat][2] : grid.force[flat][3];
+}
+
 /// Folds what particles scattered beyond the walls onto the mirror nodes: normal component with sign -1, tangential
 /// with +1 (slip) or -1 (no-slip). Both sides of a periodic seam are added up and get the same sums. Of walls
 /// only the active blocks are visited.

@@ -130,6 +130,7 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<3>* state) {
     const WaterForceInSpace force = state ? water_force(state->membranes[m]) : WaterForceInSpace{};
     row.add_vector(name + ".pressure_force", "N", force.pressure, 3);
     if (rubs_sharply(scene.membranes[m])) row.add_vector(name + ".friction_force", "N", force.friction, 3);
+    if (scene.membranes[m].permittivity > 0) row.add(name + ".seepage_m3_s", state ? seepage(state->membranes[m]) : 0);
   }
 }
 

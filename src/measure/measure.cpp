@@ -11,6 +11,7 @@
 #include "geometry/polygon.hpp"
 #include "mean_and_deviation.hpp"
 #include "membrane/bounds.hpp"
+#include "membrane/part_size.hpp"
 #include "membrane/triangles.hpp"
 #include "state/bearing_share.hpp"
 
@@ -125,7 +126,7 @@ MembraneMeasures<3> measure_triangles(const Membrane<3>& membrane) {
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     tension.add(triangles.rest_area[t], membrane.tension[t]);
     cross.add(triangles.rest_area[t], triangles.cross_tension[t]);
-    measures.area += 0.5 * normal_of(membrane, t).norm();
+    measures.area += size_of(membrane, t);
     const double larger = std::max(membrane.tension[t], triangles.cross_tension[t]);
     if (larger <= measures.tension_max) continue;
     measures.tension_max = larger;

@@ -2,15 +2,20 @@
 
 #include "geometry/polygon.hpp"
 #include "membrane/outline.hpp"
+#include "membrane/part_size.hpp"
 #include "membrane/triangles.hpp"
 
 namespace geodrop {
 
-double seepage(const Membrane<2>& membrane) {
+template <int Dim>
+double seepage(const Membrane<Dim>& membrane) {
   double sum = 0;
-  for (std::size_t s = 0; s < membrane.seepage.size(); ++s) sum += membrane.seepage[s] * segment_length(membrane, s);
+  for (std::size_t s = 0; s < membrane.seepage.size(); ++s) sum += membrane.seepage[s] * size_of(membrane, s);
   return sum;
 }
+
+template double seepage(const Membrane<2>&);
+template double seepage(const Membrane<3>&);
 
 WaterForce water_force(const Membrane<2>& membrane) {
   const auto& [x, y] = membrane.x;

@@ -21,7 +21,8 @@ struct WaterForceInSpace {
 };
 WaterForceInSpace water_force(const Membrane<3>& membrane);
 
-/// What flows out of the pores inside through a membrane, in the step before [m2/s].
-double seepage(const Membrane<2>& membrane);
+/// What flows out of the pores inside through a membrane, in the step before [m2/s, m3/s].
+template <int Dim>
+double seepage(const Membrane<Dim>& membrane);
 
 }  // namespace geodrop

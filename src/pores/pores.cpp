@@ -76,14 +76,14 @@ template <int Dim>
 double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, bool bagged, int flat,
                  const std::array<int, Dim>& node) {
   if (!bagged) return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
-  const double grains = grid.sum[flat][3] / grain_density, water = around.sum[flat][2];
+  const double grains = grid.sum[flat][3] / grain_density, water = spline_volume(around, flat);
   return grains > 0 ? grains / (grains + water) : 0.0;
 }
 
 /// Porosity, resistance and lightness of grains at the nodes of the water.
 template <int Dim>
 void weigh_nodes(const Grid<Dim>& grid, double grain_density, Grid<Dim>& around) {
-  const bool bagged = Dim == 2 && grid.outline.size() > 0;
+  const bool bagged = grid.outline.size() > 0;
   for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
       const double grains = grains_at<Dim>(grid, around, grain_density, bagged, flat, node);
@@ -163,10 +163,11 @@ void push_grains(Grid<Dim>& grid, const Grid<Dim>& around) {
 }
 
 /// What the parts of cells beside a membrane change of that, for both.
-void push_beside_membrane(Grid<2>& grid, Grid<2>& around) {
-  for_each_interface_force(around, [&](int node, const std::array<double, 2>& force) {
+template <int Dim>
+void push_beside_membrane(Grid<Dim>& grid, Grid<Dim>& around) {
+  for_each_interface_force<Dim>(around, [&](int node, const std::array<double, Dim>& force) {
     const double n = around.pore_share[node];
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < Dim; ++a) {
       around.force[node][a] += n * force[a];
       if (n < 1) grid.force[node][a] += (1 - n) * force[a];
     }
@@ -287,7 +288,7 @@ void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Di
       soften_light_cells(around, dt);
     }
     push_grains(grid, around);
-    if constexpr (Dim == 2) push_beside_membrane(grid, around);
+    push_beside_membrane(grid, around);
   });
 }
 

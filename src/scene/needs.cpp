@@ -66,7 +66,8 @@ bool saturates(const Scene& scene, const std::string& body) {
 std::string body_inside(const Scene& scene, const MembraneSpec& membrane) {
   if (scene.dimension == 2) return membrane.body;
   for (const BodySpec& body : scene.bodies)
-    if (const auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == membrane.name)
+    if (const auto* inside = std::get_if<InsideShape>(&body.shape);
+        inside && inside->membrane == membrane.name && !saturates(scene, body.name))
       return body.name;
   return "";
 }

@@ -119,6 +119,19 @@ void draw_cloth(const Scene& scene, const MembraneSpec& spec, Membrane<2>& membr
   set_cloth_velocity(scene, spec.body, membrane);
 }
 
+/// Water in the pores inside a membrane with so many segments or triangles, and how it flows through.
+template <int Dim>
+void set_pore_water(const Scene& scene, const MembraneSpec& spec, std::size_t parts, Membrane<Dim>& membrane) {
+  const BodySpec* const soil = find_body(scene, body_inside(scene, spec));
+  if (!soil || soil->saturated_by.empty()) return;
+  const double open = spec.permittivity * (1 - spec.clogging);
+  membrane.permeance = open / water_unit_weight(scene, *find_body(scene, soil->saturated_by));
+  membrane.permeance_strains.assign(spec.permittivity_strains.begin(), spec.permittivity_strains.end());
+  membrane.permeance_factors.assign(spec.permittivity_factors.begin(), spec.permittivity_factors.end());
+  membrane.pore_pressure.assign(parts, 0.0);
+  membrane.seepage.assign(parts, 0.0);
+}
+
 /// What a sharp membrane with so many segments or triangles meets around it.
 template <int Dim>
 void set_surroundings(const Scene& scene, const MembraneSpec& spec, std::size_t parts, Membrane<Dim>& membrane) {
@@ -131,6 +144,7 @@ void set_surroundings(const Scene& scene, const MembraneSpec& spec, std::size_t 
   membrane.roughness = spec.roughness;
   if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
   membrane.water_pressure.assign(parts, 0.0);
+  set_pore_water(scene, spec, parts, membrane);
   for (auto& component : membrane.caught) component.assign(membrane.nodes(), 0.0);
   if constexpr (Dim == 3)
     if (rubs_sharply(spec))
@@ -165,14 +179,6 @@ Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const S
     membrane.drag_coefficient = spec.drag_coefficient;
     membrane.water_shear.assign(segments, 0.0);
     if (!spec.bed.empty()) membrane.bed_shear.assign(segments, 0.0);
-    if (const std::string& water = find_body(scene, spec.body)->saturated_by; !water.empty()) {
-      const double open = spec.permittivity * (1 - spec.clogging);
-      membrane.permeance = open / water_unit_weight(scene, *find_body(scene, water));
-      membrane.permeance_strains.assign(spec.permittivity_strains.begin(), spec.permittivity_strains.end());
-      membrane.permeance_factors.assign(spec.permittivity_factors.begin(), spec.permittivity_factors.end());
-      membrane.pore_pressure.assign(segments, 0.0);
-      membrane.seepage.assign(segments, 0.0);
-    }
   }
   return membrane;
 }

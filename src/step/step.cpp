@@ -33,7 +33,7 @@ const std::vector<RowMaker<Dim>> rows_of_a_step = {
     interface_pressure_row<Dim>,
     even_out_volumes_row<Dim>,
     filter_checkerboard_row<Dim>,
-    seep_row,
+    seep_row<Dim>,
     nodal_pressure_row<Dim>,
     enclosed_cells_row<Dim>,
     particles_to_grid_row<Dim>,

@@ -96,7 +96,7 @@ void check_fluid_around(const Scene& scene, const MembraneSpec& membrane, const 
 
 /// Water flows through a membrane out of the pores of a soil, or into them.
 void check_permittivity(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
-  const BodySpec* body = find_body(scene, membrane.body);
+  const BodySpec* body = find_body(scene, body_inside(scene, membrane));
   if (!(membrane.permittivity > 0) || !body || !body->saturated_by.empty()) return;
   report.add(key + ".permittivity", to_text(membrane.permittivity) + " around \"" + body->name + '"',
              "permittivity where the body is a soil with drainage = \"coupled\"; else 0, tight");
@@ -170,6 +170,8 @@ void check_surfaces(const Scene& scene, Report& report) {
     else if (report.healthy("grid"))
       check_interface(scene, membrane, key, report);
     check_bed(scene, membrane, key, report);
+    check_permittivity(scene, membrane, key, report);
+    check_permittivity_table(membrane, key, report);
     check_fluid_around(scene, membrane, key, report);
   }
 }
