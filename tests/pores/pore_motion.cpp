@@ -25,37 +25,38 @@ using namespace geodrop::test;
 namespace {
 
 /// A coupled soil in motion, up to the implicit pressure of its water.
-struct Soil {
+template <int Dim>
+struct SoilIn {
   Scene scene;
-  State<2> state;
-  Grids<2> grids;
+  State<Dim> state;
+  Grids<Dim> grids;
   std::vector<PoreSoil> soils;
   StepContext step;
 
-  explicit Soil(const std::string& case_name, std::vector<std::string> settings = {}) {
+  explicit SoilIn(const std::string& case_name, std::vector<std::string> settings = {}) {
     settings.push_back("bodies.pore_water.implicit_pore_pressure=true");
     scene = read_scene(source_path("cases/verification/" + case_name + ".toml"), settings);
-    state = build_state<2>(scene);
-    grids = make_grids<2>(scene);
+    state = build_state<Dim>(scene);
+    grids = make_grids<Dim>(scene);
     soils = pore_soils(scene);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-0.1, 0.1);
-    for (Body<2>& body : state.bodies)
+    for (Body<Dim>& body : state.bodies)
       for (Array<double>& component : body.v)
         for (double& v : component) v = any(random);
-    for (Row<2>& row : build_pipeline<2>(scene)) {
+    for (Row<Dim>& row : build_pipeline<Dim>(scene)) {
       if (row.name == std::string("implicit_pressure")) return;
       row.run(state, grids, step);
     }
     FAIL("no row implicit_pressure");
   }
 
-  Grid<2>& grains() { return grids[soils[0].field]; }
-  Grid<2>& water() { return grids[soils[0].water]; }
+  Grid<Dim>& grains() { return grids[soils[0].field]; }
+  Grid<Dim>& water() { return grids[soils[0].water]; }
 
   /// D of the cells of the water, from the nodal velocities as they are.
   Array<double> rates() const {
-    Grids<2> copy = grids;
+    Grids<Dim> copy = grids;
     update_pore_rate(soils, copy);
     if (has_sharp_interface(scene)) update_interface_rates(copy);
     return copy[soils[0].water].volume_rate;
@@ -69,14 +70,14 @@ struct Soil {
 
   /// sum V p D(w) over the pressures p = -dt K D(v) of what shares one, V K its sum over the particles.
   double work_of_pressures(const Array<double>& of_v, const Array<double>& of_w) {
-    const Grid<2>& grid = water();
+    const Grid<Dim>& grid = water();
     std::set<int> parts;
     double work = 0;
-    for (const PartCell<2>& part : grid.part_cells) {
+    for (const PartCell<Dim>& part : grid.part_cells) {
       parts.insert(part.flat);
       if (part.host != part.flat) continue;
       double modulus = 0;
-      for (const PartCell<2>& other : grid.part_cells)
+      for (const PartCell<Dim>& other : grid.part_cells)
         if (other.host == part.host) modulus += grid.pore_modulus[other.flat];
       work -= step.dt * modulus * of_v[part.flat] * of_w[part.flat];
     }
@@ -94,23 +95,26 @@ struct Soil {
   }
 };
 
+using Soil = SoilIn<2>;
+
 /// The change of momentum, with the drag that it meets, works on any other velocities as the pressures do that follow
 /// from the velocities after it.
-void check_work(Soil soil) {
-  const Grid<2> grains = soil.grains(), water = soil.water();
+template <int Dim>
+void check_work(SoilIn<Dim> soil) {
+  const Grid<Dim> grains = soil.grains(), water = soil.water();
   press_implicitly(soil.soils, soil.step.dt, soil.state, soil.grids);
-  Soil other = soil;
+  SoilIn<Dim> other = soil;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(-1, 1);
-  for (Grid<2>* grid : {&other.grains(), &other.water()}) {
+  for (Grid<Dim>* grid : {&other.grains(), &other.water()}) {
     for (Vec4& v : grid->velocity)
-      for (int a = 0; a < 2; ++a) v[a] = any(random);
+      for (int a = 0; a < Dim; ++a) v[a] = any(random);
     impose_wall_velocity(*grid);
   }
   double inertia = 0, size = 0;
   soil.for_moving_nodes([&](int i) {
     const double drag = water.sum[i][3] > 0 && grains.sum[i][3] > 0 ? soil.step.dt * water.node_drag[i] : 0;
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < Dim; ++a) {
       const double of_grains = soil.grains().velocity[i][a] - grains.velocity[i][a];
       const double of_water = soil.water().velocity[i][a] - water.velocity[i][a];
       const double w_s = other.grains().velocity[i][a], w_w = other.water().velocity[i][a];
@@ -133,6 +137,8 @@ TEST_CASE("What the implicit pressure of pore water moves answers to the pressur
     CAPTURE(speed);
     check_work(Soil("undrained_limit", {std::string("materials.water.sound_speed=") + speed}));
     check_work(Soil("seepage_through_fabric", {std::string("materials.pore_water.sound_speed=") + speed}));
+    check_work(SoilIn<3>("seepage_through_fabric_3d",
+                         {"grid.spacing=0.2", std::string("materials.pore_water.sound_speed=") + speed}));
   }
 }
 
