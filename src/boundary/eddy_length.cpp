@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "cut/near_triangles.hpp"
 #include "cut/outline_pieces.hpp"
 #include "cut/rough_wall.hpp"
+#include "geometry/triangle.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/triangles.hpp"
 

@@ -140,7 +140,7 @@ void add_load(Membrane<2>& membrane, std::size_t k, const Vec<2>& force) {
 }
 
 /// Force on the slave node; its reaction acts on the master. Lets the spring go slack where they do not touch.
-Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, std::size_t k, const Foot& foot,
+Vec<2> push_node(const Pass& pass, const MembraneContact<2>& contact, double dt, std::size_t k, const Foot& foot,
                  const Vec<2>& normal, double& pressed) {
   const std::size_t end = end_of_edge(foot.segment, pass.master.nodes());
   const double gap = normal.dot(vector_at(pass.slave.x, k) - foot.point);
@@ -164,7 +164,7 @@ Vec<2> push_node(const Pass& pass, const MembraneContact& contact, double dt, st
 }
 
 /// Sum of the forces on the slave.
-Vec<2> run_pass(const Pass& pass, MembraneContact& contact, double dt) {
+Vec<2> run_pass(const Pass& pass, MembraneContact<2>& contact, double dt) {
   Vec<2> sum = Vec<2>::Zero();
   const Box<2> nearby = bounds(pass.slave, contact.reach);  // a flat skin has no thickness of its own
   const SegmentBins bins(pass.master, nearby, contact.reach);
@@ -211,33 +211,42 @@ double side_of_body(const State<2>& state, const Membrane<2>& membrane) {
   return left > 0 ? 1 : -1;
 }
 
-const Material& material_behind(const State<2>& state, const Membrane<2>& membrane) {
+/// Outward normals of triangles are.
+double side_of_body(const State<3>&, const Membrane<3>&) { return 1; }
+
+template <int Dim>
+const Material& material_behind(const State<Dim>& state, const Membrane<Dim>& membrane) {
   return find_named(state.bodies, membrane.body).material;
 }
 
 }  // namespace
 
-MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state) {
-  MembraneContact contact;
+template <int Dim>
+MembraneContact<Dim> make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state) {
+  constexpr std::size_t components = Dim == 2 ? 1 : 3;  // of a tangential spring
+  MembraneContact<Dim> contact;
   contact.between = spec.between;
   contact.friction = spec.friction;
   contact.reach = finest_spacing(scene.grid);
   double modulus = std::numeric_limits<double>::infinity(), of_both = 0;
   for (int side = 0; side < 2; ++side) {
-    const Membrane<2>& membrane = find_named(state.membranes, spec.between[side]);
+    const Membrane<Dim>& membrane = find_named(state.membranes, spec.between[side]);
     const Material& behind = material_behind(state, membrane);
     modulus = std::min(modulus, impedance(behind) * wave_speed(behind));
     of_both += 1 / impedance(behind);
     contact.outward[side] = side_of_body(state, membrane);
-    contact.slip[side].assign(membrane.nodes(), 0.0);
+    contact.slip[side].assign(components * membrane.nodes(), 0.0);
   }
   contact.stiffness = spec.stiffness * modulus / finest_spacing(scene.grid);
   contact.damping = spec.damping / of_both;
   return contact;
 }
 
+template MembraneContact<2> make_membrane_contact(const Scene&, const ContactSpec&, const State<2>&);
+template MembraneContact<3> make_membrane_contact(const Scene&, const ContactSpec&, const State<3>&);
+
 void add_membrane_contacts(State<2>& state, double dt) {
-  for (MembraneContact& contact : state.membrane_contacts) {
+  for (MembraneContact<2>& contact : state.membrane_contacts) {
     Membrane<2>& one = find_named(state.membranes, contact.between[0]);
     Membrane<2>& other = find_named(state.membranes, contact.between[1]);
     if (one.field == waiting || other.field == waiting) continue;

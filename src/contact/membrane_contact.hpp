@@ -6,6 +6,9 @@
 // that is positive. The reaction goes to a and b by the lever rule: momentum is kept to round-off, angular momentum but
 // for the depth. Surfaces touch only if their normals oppose each other: a thin bag does not meet its own other flank
 // from inside.
+//
+// In space nodes meet triangles, with the areas of nodes for lengths and a tangential spring that is a vector; the
+// normal is that of the corners at the foot, by their shares. Own folds do not meet there.
 #pragma once
 
 #include <geodrop/scene/scene.hpp>
@@ -15,9 +18,11 @@ namespace geodrop {
 
 /// Contact between two membranes of the state, its springs slack. Stiffness times P / h of the softer body
 /// behind; damping times the impedances rho c of both in series.
-MembraneContact make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<2>& state);
+template <int Dim>
+MembraneContact<Dim> make_membrane_contact(const Scene& scene, const ContactSpec& spec, const State<Dim>& state);
 
 /// Adds to Membrane::load of both; `dt` [s] stretches the tangential springs.
 void add_membrane_contacts(State<2>& state, double dt);
+void add_membrane_contacts(State<3>& state, double dt);
 
 }  // namespace geodrop

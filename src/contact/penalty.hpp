@@ -6,6 +6,7 @@
 // surface that belongs to the point; xi, stretch of its tangential spring, which slips where f_t is cut.
 #pragma once
 
+#include <geodrop/base/types.hpp>
 #include <geodrop/materials/materials.hpp>
 #include <geodrop/scene/scene.hpp>
 
@@ -55,6 +56,27 @@ inline PenaltyForce penalty_force(const Penalty& penalty, double depth, double v
   const double elastic = penalty.spring * depth, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
   const double limit = penalty.friction * normal, friction = std::clamp(-penalty.spring * stretch, -limit, limit);
   return {elastic, normal, friction, -friction / penalty.spring};
+}
+
+/// The same in space, where the stretch of the spring is a vector along the surface with the unit normal `out`.
+struct SpacePenaltyForce {
+  double elastic;        ///< k A d [N]
+  double normal;         ///< f_n [N]
+  Vec<3> friction;       ///< f_t [N]
+  Vec<3> stretch;        ///< what is left of xi [m]
+  double friction_work;  ///< turned into heat [J]
+};
+
+/// `stretch`: xi before the step of dt [s]; `velocity`: over the surface [m/s].
+inline SpacePenaltyForce penalty_force(const Penalty& penalty, double depth, const Vec<3>& out, const Vec<3>& velocity,
+                                       const Vec<3>& stretch, double dt) {
+  const double v_n = out.dot(velocity);
+  const Vec<3> moved = stretch + dt * (velocity - v_n * out), along = moved - out.dot(moved) * out;
+  const double elastic = penalty.spring * depth, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
+  const double held = penalty.spring * along.norm(), limit = penalty.friction * normal;
+  const Vec<3> kept = held > limit ? Vec<3>(limit / held * along) : along;
+  const Vec<3> friction = -penalty.spring * kept;
+  return {elastic, normal, friction, kept, friction.norm() * (along - kept).norm()};
 }
 
 }  // namespace geodrop

@@ -23,8 +23,11 @@ Row<2> membrane_contact_row(const Scene& scene) {
 
 Row<3> space_contact_row(const Scene& scene) {
   return {"space_contact", Data::membranes | Data::membrane_position | Data::membrane_velocity | Data::rigid_bodies,
-          Data::membrane_load | Data::contacts, any_contact_of(scene, ContactPair::Kind::membrane_on_rigid),
-          [](State<3>& s, const Grids<3>&, const StepContext& step) { add_space_contacts(s, step.dt); }};
+          Data::membrane_load | Data::contacts, any_membrane_contact(scene),
+          [](State<3>& s, const Grids<3>&, const StepContext& step) {
+            add_space_contacts(s, step.dt);
+            add_membrane_contacts(s, step.dt);
+          }};
 }
 
 Row<2> particle_contact_row(const Scene& scene) {

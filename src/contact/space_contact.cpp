@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "node_area.hpp"
 #include "penalty.hpp"
 #include "space_surface.hpp"
 
@@ -28,14 +29,6 @@ class Springs {
   std::size_t next_ = 0;
 };
 
-/// Area of cloth at rest that belongs to each node [m2].
-Array<double> node_areas(const Membrane<3>& membrane) {
-  Array<double> area(membrane.nodes(), 0.0);
-  for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
-    for (const auto& corner : membrane.triangles.corner) area[corner[t]] += membrane.triangles.rest_area[t] / 3;
-  return area;
-}
-
 /// A node inside a rigid body; velocity over its surface.
 struct Touch {
   double area;
@@ -43,29 +36,22 @@ struct Touch {
   Vec<3> velocity, spring;
 };
 
-/// Coulomb friction on the stretch of the spring, as penalty_force has it in the plane.
 Vec<3> push(const Touch& touch, std::uint32_t node, double dt, RigidContact<3>& contact) {
   const Vec<3>& out = touch.depth.normal;
-  const Penalty penalty = penalty_of(contact, touch.area);
-  const double v_n = out.dot(touch.velocity);
-  const Vec<3> moved = touch.spring + dt * (touch.velocity - v_n * out);
-  const Vec<3> stretch = moved - out.dot(moved) * out;
-  const double elastic = penalty.spring * touch.depth.size, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
-  const double held = penalty.spring * stretch.norm(), limit = penalty.friction * normal;
-  const Vec<3> kept = held > limit ? Vec<3>(limit / held * stretch) : stretch;
-  const Vec<3> friction = -penalty.spring * kept;
-  contact.friction_work += friction.norm() * (stretch - kept).norm();
-  contact.damping_work += (elastic - normal) * v_n * dt;
+  const SpacePenaltyForce force =
+      penalty_force(penalty_of(contact, touch.area), touch.depth.size, out, touch.velocity, touch.spring, dt);
+  contact.friction_work += force.friction_work;
+  contact.damping_work += (force.elastic - force.normal) * out.dot(touch.velocity) * dt;
   contact.points.push_back(node);
-  contact.slip.insert(contact.slip.end(), kept.begin(), kept.end());
+  contact.slip.insert(contact.slip.end(), force.stretch.begin(), force.stretch.end());
   contact.side.push_back(0);
-  contact.normal_sum += normal;
-  contact.friction_sum += friction.norm();
+  contact.normal_sum += force.normal;
+  contact.friction_sum += force.friction.norm();
   for (int a = 0; a < 3; ++a) {
-    contact.normal_force[a] += normal * out[a];
-    contact.friction_force[a] += friction[a];
+    contact.normal_force[a] += force.normal * out[a];
+    contact.friction_force[a] += force.friction[a];
   }
-  return normal * out + friction;
+  return force.normal * out + force.friction;
 }
 
 void add_contact(const SpaceSurface& surface, double dt, Membrane<3>& membrane, RigidContact<3>& contact) {

@@ -15,9 +15,6 @@
 
 namespace geodrop {
 
-/// The point of a triangle nearest to x, by the region that x lies in (Ericson 2005, 5.1.5).
-Vec<3> nearest_point(const std::array<Vec<3>, 3>& corner, const Vec<3>& x);
-
 /// The triangles of a membrane in each cell of the box around it.
 class NearTriangles {
  public:
@@ -41,7 +38,6 @@ class NearTriangles {
   };
 
   std::array<Vec<3>, 3> corners_of(std::uint32_t triangle) const;
-  std::array<double, 3> shares_of(std::uint32_t triangle, const Vec<3>& point) const;
   void look_at(const Plate& plate, const Vec<3>& x, Nearest& nearest) const;
 
   const GridLayout<3>& layout_;

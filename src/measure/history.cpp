@@ -147,15 +147,17 @@ void list_contact(HistoryRow& row, const std::string& name, const RigidContact<D
 }
 
 /// Likewise; the force is what the other membrane does to the first. Within own folds it adds up to nothing.
-void list_contact(HistoryRow& row, const std::string& name, const MembraneContact& contact, bool folds) {
-  row.add(name + ".normal_force_N_m", contact.normal_force);
-  if (!folds) row.add_vector(name + ".force", "N_m", contact.force, 2);
+template <int Dim>
+void list_contact(HistoryRow& row, const std::string& name, const MembraneContact<Dim>& contact, bool folds) {
+  const std::string unit = Dim == 2 ? "N_m" : "N";
+  row.add(name + ".normal_force_" + unit, contact.normal_force);
+  if (!folds) row.add_vector(name + ".force", unit, contact.force, Dim);
 }
 
 /// In the order of the scene; the state keeps the two kinds apart.
 template <int Dim>
 void list_contacts(HistoryRow& row, const Scene& scene, const State<Dim>* state) {
-  const MembraneContact no_contact{};
+  const MembraneContact<Dim> no_contact{};
   std::size_t rigid = 0, membranes = 0;
   for (const ContactSpec& contact : scene.contacts) {
     const ContactPair pair = contact_pair(scene, contact);

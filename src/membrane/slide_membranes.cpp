@@ -17,7 +17,7 @@ double contact_friction(const State<2>& state, const Membrane<2>& membrane) {
   double friction = 0;
   for (const RigidContact<2>& contact : state.rigid_contacts)
     if (contact.touching == membrane.name) friction = std::max(friction, contact.friction);
-  for (const MembraneContact& contact : state.membrane_contacts)
+  for (const MembraneContact<2>& contact : state.membrane_contacts)
     if (contact.between[0] == membrane.name || contact.between[1] == membrane.name)
       friction = std::max(friction, contact.friction);
   return friction;

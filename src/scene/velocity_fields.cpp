@@ -10,7 +10,7 @@ namespace {
 /// The body that a membrane lies on; empty if there is no such membrane.
 std::string body_of_membrane(const Scene& scene, const std::string& name) {
   for (const MembraneSpec& membrane : scene.membranes)
-    if (membrane.name == name) return membrane.body;
+    if (membrane.name == name) return body_inside(scene, membrane);
   return {};
 }
 

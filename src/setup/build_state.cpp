@@ -246,7 +246,11 @@ int field_of(const State<2>& state, const Membrane<2>& membrane) {
 
 void add_contacts(const Scene& scene, State<3>& state) {
   for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_rigid_body(spec));
-  for (const ContactSpec& spec : scene.contacts) state.rigid_contacts.push_back(make_space_contact(scene, spec, state));
+  for (const ContactSpec& spec : scene.contacts)
+    if (contact_pair(scene, spec).kind == ContactPair::Kind::membranes)
+      state.membrane_contacts.push_back(make_membrane_contact(scene, spec, state));
+    else
+      state.rigid_contacts.push_back(make_space_contact(scene, spec, state));
 }
 
 /// The body with the particle nearest to x.

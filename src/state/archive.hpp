@@ -45,6 +45,10 @@ inline constexpr bool is_rigid_contact = false;
 template <int Dim>
 inline constexpr bool is_rigid_contact<RigidContact<Dim>> = true;
 template <class T>
+inline constexpr bool is_membrane_contact = false;
+template <int Dim>
+inline constexpr bool is_membrane_contact<MembraneContact<Dim>> = true;
+template <class T>
 inline constexpr bool is_anchor = false;
 template <int Dim>
 inline constexpr bool is_anchor<Anchor<Dim>> = true;
@@ -122,7 +126,7 @@ auto members(Part& part) {
     return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side,
                     normal_force, friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work,
                     piece);
-  } else if constexpr (std::is_same_v<Plain, MembraneContact>) {
+  } else if constexpr (is_membrane_contact<Plain>) {
     auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);
   } else if constexpr (std::is_same_v<Plain, Relaxation>) {

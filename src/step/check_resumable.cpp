@@ -237,8 +237,9 @@ void check_anchor(const State<Dim>& state, const Anchor<Dim>& built, const Ancho
   part.require(all_finite(anchor), "a value that is not finite");
 }
 
-void check_membrane_contact(const MembraneContact& built, const MembraneContact& contact) {
-  using C = MembraneContact;
+template <int Dim>
+void check_membrane_contact(const MembraneContact<Dim>& built, const MembraneContact<Dim>& contact) {
+  using C = MembraneContact<Dim>;
   const Part part("contact of '" + built.between[0] + "' with '" + built.between[1] + "'");
   part.require(
       alike(contact, built, &C::between, &C::outward, &C::friction, &C::stiffness, &C::damping, &C::reach, &C::slip),
@@ -318,7 +319,7 @@ void check_all(const Scene& scene, State<Dim>& built, const State<Dim>& state) {
   check_each("rigid bodies", built.rigid, state.rigid, check_rigid<Dim>);
   check_each("contacts", built.rigid_contacts, state.rigid_contacts,
              [&](const auto& a, const auto& b) { check_rigid_contact(state, a, b); });
-  check_each("contacts", built.membrane_contacts, state.membrane_contacts, check_membrane_contact);
+  check_each("contacts", built.membrane_contacts, state.membrane_contacts, check_membrane_contact<Dim>);
   check_each("viscous boundaries", built.viscous_boundaries, state.viscous_boundaries,
              [&](const auto& a, const auto& b) { check_viscous_boundary(layout, a, b); });
   check_each("silent sides", built.silent_sides, state.silent_sides,

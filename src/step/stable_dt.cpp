@@ -158,7 +158,7 @@ double contact_dt(const State<Dim>& state, double h) {
     dt = std::min({dt, std::sqrt(most * mass / contact.stiffness), most * mass / contact.damping});
   };
   for (const RigidContact<Dim>& contact : state.rigid_contacts) limit(contact, mass_on(state, contact, h));
-  for (const MembraneContact& contact : state.membrane_contacts) {
+  for (const MembraneContact<Dim>& contact : state.membrane_contacts) {
     double of_both = 0;  // 1 / m + 1 / m, as two bodies on one spring have it
     for (const std::string& name : contact.between)
       of_both += 1 / (density_beside(state, find_named(state.membranes, name)) * h);

@@ -62,7 +62,7 @@ Points outline_of(const Points& corners, double spacing) {
 State<2> touching(const Membrane<2>& a, const Membrane<2>& b, std::array<double, 2> outward, double friction) {
   State<2> state;
   state.membranes = {a, b};
-  MembraneContact contact{{a.name, b.name}, outward, friction, stiffness, 0, reach, {}};
+  MembraneContact<2> contact{{a.name, b.name}, outward, friction, stiffness, 0, reach, {}};
   contact.slip = {Array<double>(a.nodes(), 0.0), Array<double>(b.nodes(), 0.0)};
   state.membrane_contacts = {contact};
   return state;
@@ -72,7 +72,7 @@ State<2> touching(const Membrane<2>& a, const Membrane<2>& b, std::array<double,
 State<2> folded(const Points& points) {
   State<2> state;
   state.membranes = {membrane_through("bag", points, true)};
-  MembraneContact contact{{"bag", "bag"}, {1, 1}, 0.3, stiffness, 0, reach, {}};
+  MembraneContact<2> contact{{"bag", "bag"}, {1, 1}, 0.3, stiffness, 0, reach, {}};
   contact.slip = {Array<double>(points.size(), 0.0), Array<double>(points.size(), 0.0)};
   state.membrane_contacts = {contact};
   return state;
@@ -211,7 +211,7 @@ TEST_CASE("Outlines that cross keep their momentum to round-off, also while they
 
 TEST_CASE("The order of the two names does not matter, but for round-off") {
   State<2> one = irregular(3), other = one;
-  MembraneContact& contact = other.membrane_contacts[0];
+  MembraneContact<2>& contact = other.membrane_contacts[0];
   std::swap(contact.between[0], contact.between[1]);
   std::swap(contact.outward[0], contact.outward[1]);
   std::swap(contact.slip[0], contact.slip[1]);
@@ -328,7 +328,7 @@ TEST_CASE("Contacts from a scene: outward side of open skins, stiffness of the s
                                     "bodies.slab.material=soft"});
     const State<2> state = build_state<2>(scene);
     REQUIRE(state.membrane_contacts.size() == 1);
-    const MembraneContact& contact = state.membrane_contacts[0];
+    const MembraneContact<2>& contact = state.membrane_contacts[0];
     CHECK(contact.outward == std::array<double, 2>{1, c.outward});  // of "skin", of "ground"
     CHECK(contact.friction == 0.15);
     const double modulus = 1e6 * 0.75 / (1.25 * 0.5);

@@ -37,7 +37,7 @@ State<2> hairpin(double depth) {
     m.rest_length.push_back(std::hypot(m.x[0][s + 1] - m.x[0][s], m.x[1][s + 1] - m.x[1][s]));
   State<2> state;
   state.membranes = {m};
-  MembraneContact contact{{"bag", "bag"}, {1, 1}, 0.3, stiffness, 0, reach, {}};
+  MembraneContact<2> contact{{"bag", "bag"}, {1, 1}, 0.3, stiffness, 0, reach, {}};
   contact.slip = {Array<double>(n, 0.0), Array<double>(n, 0.0)};
   state.membrane_contacts = {contact};
   return state;

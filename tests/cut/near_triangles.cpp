@@ -5,6 +5,7 @@
 
 #include "cut/clipped_surface.hpp"
 #include "cut/near_triangles.hpp"
+#include "geometry/triangle.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 #include "support/surfaces.hpp"

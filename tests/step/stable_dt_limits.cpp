@@ -56,7 +56,7 @@ TEST_CASE("Membranes that touch limit the step as two masses on one spring, 1/m 
   each.add_water("light", 1000);
   each.add_water("heavy", 3000);
   const double m = 750 * h;  // of 1000 h and 3000 h
-  MembraneContact contact{{"light skin", "heavy skin"}, {1, 1}, 0, 0, 0, h, {}};
+  MembraneContact<2> contact{{"light skin", "heavy skin"}, {1, 1}, 0, 0, 0, h, {}};
   each.state.membrane_contacts = {contact};
   const auto dt = [&](double stiffness, double damping) {
     each.state.membrane_contacts[0].stiffness = stiffness;

@@ -208,15 +208,16 @@ struct RigidContact {
 };
 
 /// Two membranes that touch, or the folds of one, see contact/membrane_contact.
+template <int Dim>
 struct MembraneContact {
   std::array<std::string, 2> between;  ///< names; twice the same: own folds
-  std::array<double, 2> outward;       ///< 1: the body is on the left of its membrane, -1: on its right
+  std::array<double, 2> outward;       ///< 1: the body is on the left of its membrane, -1: on its right; in space 1
   double friction = 0;                 ///< mu [-]
   double stiffness = 0;                ///< penalty: pressure per penetration [Pa/m]
   double damping = 0;                  ///< of the penalty: pressure per normal velocity [Pa s/m]
   double reach = 0;                    ///< farthest distance at which nodes look for segments [m]
-  std::array<Array<double>, 2> slip;   ///< stretch of the tangential springs of the nodes of both [m]
-  std::array<double, 2> force{};       ///< on the first membrane, in the last step [N]
+  std::array<Array<double>, 2> slip;   ///< stretch of the tangential springs of the nodes of both; 3D: vectors [m]
+  std::array<double, Dim> force{};     ///< on the first membrane, in the last step [N]
   double normal_force = 0;             ///< sum of the magnitudes of normal forces, likewise [N]
 };
 
@@ -302,7 +303,7 @@ struct State {
   std::vector<Membrane<Dim>> membranes;
   std::vector<RigidBody<Dim>> rigid;
   std::vector<RigidContact<Dim>> rigid_contacts;
-  std::vector<MembraneContact> membrane_contacts;
+  std::vector<MembraneContact<Dim>> membrane_contacts;
   std::vector<ViscousBoundary<Dim>> viscous_boundaries;
   std::vector<SilentSide> silent_sides;
   RareList<Anchor<Dim>> anchors;

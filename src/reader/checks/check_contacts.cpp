@@ -107,11 +107,32 @@ void check_start(const Scene& scene, const ContactPair& pair, const std::string&
                "something that starts outside, or at most a tenth of a cell, " + to_text(allowed) + " m, inside");
 }
 
+/// Two membranes in space: with a body in each, neither of which starts inside the other.
+void check_membranes_in_space(const Scene& scene, const ContactPair& pair, const std::string& key, Report& report) {
+  const MembraneSpec &one = find_named(scene.membranes, pair.touching),
+                     &other = find_named(scene.membranes, pair.other);
+  if (&one == &other)
+    return report.add(key + ".between", "the folds of \"" + one.name + "\" in space", "two membranes");
+  for (const MembraneSpec* membrane : {&one, &other})
+    if (body_inside(scene, *membrane).empty())
+      return report.add(key + ".between", '"' + membrane->name + "\", which is empty, on a membrane",
+                        "membranes around bodies of shape `inside`");
+  if (!one.drawn.region || !other.drawn.region) return;
+  const auto meets = [](const MembraneSpec& of, const MembraneSpec& in) {
+    const std::vector<Corner>& points = of.drawn.region->surface().points;
+    return std::ranges::any_of(points, [&](const Corner& x) { return in.drawn.region->contains(x); });
+  };
+  if (meets(one, other) || meets(other, one))
+    report.add(key + ".between", '"' + one.name + "\" partly inside \"" + other.name + '"',
+               "membranes that start apart");
+}
+
 /// In space only membranes touch.
 void check_in_space(const Scene& scene, const ContactPair& pair, const std::string& key, Report& report) {
+  if (pair.kind == ContactPair::Kind::membranes) return check_membranes_in_space(scene, pair, key, report);
   if (pair.kind != ContactPair::Kind::membrane_on_rigid) {
     report.add(key + ".between", '"' + pair.touching + "\" and \"" + pair.other + "\" in space",
-               "a membrane and a rigid body");
+               "a membrane and a rigid body, or two membranes");
     return;
   }
   const MembraneSpec& membrane = find_named(scene.membranes, pair.touching);
@@ -128,7 +149,7 @@ void check_in_space(const Scene& scene, const ContactPair& pair, const std::stri
 }
 
 constexpr const char* who_may_touch =
-    "a membrane, or a body without one, and a rigid body; two membranes; or one membrane twice for its own folds";
+    "a membrane, or a body without one, and a rigid body; two membranes; or in the plane one membrane twice for its own folds";
 
 /// The pair of a contact with two names that are there.
 bool check_pair(const Scene& scene, const ContactSpec& contact, const std::string& key, Report& report) {
