@@ -25,11 +25,18 @@ double top_of(const Scene& scene, const BodySpec& body) {
   return bounds_within(body.shape, {scene.grid.lower, scene.grid.upper}).upper.back();
 }
 
+/// Whether a body has no surface of its own: it fills a membrane, or the pores of a soil that does.
+bool is_bagged(const Scene& scene, const BodySpec& body) {
+  return is_enclosed(scene, body) || std::ranges::any_of(scene.bodies, [&](const BodySpec& soil) {
+           return soil.saturated_by == body.name && is_enclosed(scene, soil);
+         });
+}
+
 /// Height of the open fluid of a material; -infinity if there is none.
 double top_of_fluid(const Scene& scene, const std::string& material) {
   double top = -std::numeric_limits<double>::infinity();
   for (const BodySpec& body : scene.bodies)
-    if (body.material == material && !is_enclosed(scene, body)) top = std::max(top, top_of(scene, body));
+    if (body.material == material && !is_bagged(scene, body)) top = std::max(top, top_of(scene, body));
   return top;
 }
 
@@ -46,7 +53,7 @@ std::string surface_doubt(const Scene& scene, const BodySpec& body) {
 std::string wave_speed_doubt(const Scene& scene, const BodySpec& body) {
   const NewtonianSpec* fluid = fluid_of(scene, body);
   const double g = strength_of_gravity(scene);
-  if (!fluid || g <= 0 || is_enclosed(scene, body)) return {};
+  if (!fluid || g <= 0 || is_bagged(scene, body)) return {};
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   const double speed = std::sqrt(g * (box.upper.back() - box.lower.back()));
   const double sound = std::sqrt(fluid->bulk_modulus / fluid->density);
