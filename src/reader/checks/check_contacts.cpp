@@ -3,6 +3,7 @@
 
 #include "contact/rigid_surface.hpp"
 #include "contact/space_surface.hpp"
+#include "scene/needs.hpp"
 
 #include <geodrop/base/find_named.hpp>
 #include <geodrop/geometry/shapes.hpp>
@@ -149,7 +150,8 @@ void check_in_space(const Scene& scene, const ContactPair& pair, const std::stri
 }
 
 constexpr const char* who_may_touch =
-    "a membrane, or a body without one, and a rigid body; two membranes; or in the plane one membrane twice for its own folds";
+    "a membrane, or a body without one, and a rigid body; two membranes; or in the plane one membrane twice for its "
+    "own folds";
 
 /// The pair of a contact with two names that are there.
 bool check_pair(const Scene& scene, const ContactSpec& contact, const std::string& key, Report& report) {
