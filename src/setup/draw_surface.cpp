@@ -43,10 +43,12 @@ Extent extent_of(const SurfaceSpec& spec) {
     for (std::size_t a = 0; a < 3; ++a) length += std::abs(capsule->to[a] - capsule->from[a]);
     extent.area = 2 * pi * capsule->radius * length;
   } else if (const auto* pillow = std::get_if<PillowSurface>(&spec)) {
-    extent.add(pillow->centre, {0, 0, pillow->thickness / 2});
+    const double t = pillow->thickness;  // a sheet that rises by half of it and comes down again is at least this long
+    extent.add(pillow->centre, {std::max(0.0, pillow->length - t) / 2, std::max(0.0, pillow->width - t) / 2, t / 2});
     extent.area = 2 * pillow->length * pillow->width;
   } else if (const auto* disc = std::get_if<DiscPillowSurface>(&spec)) {
-    extent.add(disc->centre, {0, 0, disc->thickness / 2});
+    const double least = std::max(0.0, disc->radius - disc->thickness / 2);
+    extent.add(disc->centre, {least, least, disc->thickness / 2});
     extent.area = 2 * pi * disc->radius * disc->radius;
   }
   return extent;
