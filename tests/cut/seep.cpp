@@ -16,6 +16,7 @@
 #include "cut/interface_cells.hpp"
 #include "cut/interface_contacts.hpp"
 #include "cut/outline_pieces.hpp"
+#include "files/snapshot.hpp"
 #include "grid/momentum.hpp"
 #include "grid/neighbourhood.hpp"
 #include "measure/water_force.hpp"
@@ -312,6 +313,20 @@ TEST_CASE_TEMPLATE("The porosity at the nodes of a bag is that of its soil, besi
     ++nodes;
   }
   CHECK(nodes > (In::dimension == 2 ? 40 : 250));
+}
+
+TEST_CASE_TEMPLATE("Frames have the flow through each segment or triangle and the pressure of the pores on it", In,
+                   BagIn<2>, BagIn<3>) {
+  In bag({"grid.spacing=0.2"});
+  bag.run(20);
+  const MembraneSnapshot shown = take_snapshot(bag.state, {"water", "sand", "pore_water"}).membranes;
+  for (const auto& [name, values] :
+       {std::pair{"seepage", &bag.fabric().seepage}, std::pair{"pore_pressure", &bag.fabric().pore_pressure}}) {
+    const auto field = std::ranges::find(shown.fields, name, &Field::name);
+    REQUIRE(field != shown.fields.end());
+    REQUIRE(field->values.size() == values->size());
+    for (std::size_t s = 0; s < values->size(); ++s) CHECK(field->values[s] == static_cast<float>((*values)[s]));
+  }
 }
 
 TEST_CASE_TEMPLATE("A tight membrane lets nothing through, and needs no row for it", In, BagIn<2>, BagIn<3>) {

@@ -139,8 +139,8 @@ struct Membrane {
   double permeance = 0;             ///< flow through it per area and pressure difference, psi / gamma_w [m/(s Pa)]
   Array<double> permeance_strains;  ///< strains at which it is `permeance_factors` times that, linear between [-]
   Array<double> permeance_factors;  ///< [-]
-  Array<double> pore_pressure;      ///< segments: of the water inside on it [Pa]; else empty
-  Array<double> seepage;            ///< segments: flow through it per area, outwards [m/s]
+  Array<double> pore_pressure;      ///< segments or triangles: of the water inside on it [Pa]; else empty
+  Array<double> seepage;            ///< segments or triangles: flow through it per area, outwards [m/s]
 
   /// In space `strain` and `tension` are those of triangles: the larger principal ones, or of the warp.
   [[no_unique_address]] MembraneTriangles<Dim> triangles;
