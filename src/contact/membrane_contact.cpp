@@ -11,6 +11,7 @@
 #include "membrane/bounds.hpp"
 #include "membrane/fluid_load.hpp"
 #include "node_length.hpp"
+#include "part_bins.hpp"
 #include "penalty.hpp"
 
 namespace geodrop {
@@ -35,48 +36,19 @@ std::vector<Vec<2>> node_normals(const Membrane<2>& membrane, double outward) {
   return normals;
 }
 
-/// Segments of a membrane in square bins, to find those near a point.
-class SegmentBins {
- public:
-  SegmentBins(const Membrane<2>& membrane, const Box<2>& region, double reach) : lower_(region.lower) {
-    double longest = 0;
-    std::vector<std::pair<std::size_t, Vec<2>>> middles;
-    for (std::size_t s = 0; s < membrane.segments(); ++s) {
-      const Vec<2> a = vector_at(membrane.x, s), b = vector_at(membrane.x, end_of_edge(s, membrane.nodes()));
-      const Vec<2> middle = 0.5 * (a + b);
-      if (!region.holds(middle)) continue;
-      longest = std::max(longest, (b - a).norm());
-      middles.emplace_back(s, middle);
-    }
-    width_ = reach + longest;  // a segment within reach of a point has its middle in one of the 3 x 3 bins around it
-    columns_ = static_cast<std::ptrdiff_t>((region.upper[0] - region.lower[0]) / width_) + 3;
-    for (const auto& [s, middle] : middles) entries_.emplace_back(key(middle), s);
-    std::sort(entries_.begin(), entries_.end());
+/// Segments of a membrane near a region.
+PartBins<2> segment_bins(const Membrane<2>& membrane, const Box<2>& region, double reach) {
+  double longest = 0;
+  PartBins<2>::Middles middles;
+  for (std::size_t s = 0; s < membrane.segments(); ++s) {
+    const Vec<2> a = vector_at(membrane.x, s), b = vector_at(membrane.x, end_of_edge(s, membrane.nodes()));
+    const Vec<2> middle = 0.5 * (a + b);
+    if (!region.holds(middle)) continue;
+    longest = std::max(longest, (b - a).norm());
+    middles.emplace_back(s, middle);
   }
-
-  bool empty() const { return entries_.empty(); }
-
-  template <class F>
-  void for_each_near(const Vec<2>& x, F&& f) const {
-    for (int row = -1; row <= 1; ++row) {
-      const std::ptrdiff_t middle = key(x) + row * columns_;
-      auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{middle - 1, 0});
-      for (; entry != entries_.end() && entry->first <= middle + 1; ++entry) f(entry->second);
-    }
-  }
-
- private:
-  using Entry = std::pair<std::ptrdiff_t, std::size_t>;
-  std::ptrdiff_t key(const Vec<2>& x) const {
-    const auto at = [&](int a) { return static_cast<std::ptrdiff_t>(std::floor((x[a] - lower_[a]) / width_)); };
-    return at(0) + 1 + columns_ * at(1);
-  }
-
-  Vec<2> lower_;
-  double width_ = 0;
-  std::ptrdiff_t columns_ = 0;
-  std::vector<Entry> entries_;
-};
+  return {middles, region, reach + longest};
+}
 
 /// One of the two passes: nodes of `slave` on segments of `master`.
 struct Pass {
@@ -115,7 +87,7 @@ bool beyond_end(const Membrane<2>& membrane, std::size_t s, double share) {
 }
 
 /// The nearest segment within reach that faces the node.
-Foot nearest_foot(const Pass& pass, const SegmentBins& bins, std::size_t k, const Vec<2>& normal, double reach) {
+Foot nearest_foot(const Pass& pass, const PartBins<2>& bins, std::size_t k, const Vec<2>& normal, double reach) {
   const Vec<2> x = vector_at(pass.slave.x, k);
   Foot best;
   best.distance = reach;
@@ -167,7 +139,7 @@ Vec<2> push_node(const Pass& pass, const MembraneContact<2>& contact, double dt,
 Vec<2> run_pass(const Pass& pass, MembraneContact<2>& contact, double dt) {
   Vec<2> sum = Vec<2>::Zero();
   const Box<2> nearby = bounds(pass.slave, contact.reach);  // a flat skin has no thickness of its own
-  const SegmentBins bins(pass.master, nearby, contact.reach);
+  const PartBins<2> bins = segment_bins(pass.master, nearby, contact.reach);
   if (bins.empty()) {
     std::fill(pass.slip.begin(), pass.slip.end(), 0.0);
     return sum;

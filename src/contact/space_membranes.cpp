@@ -15,6 +15,7 @@
 #include "membrane/triangles.hpp"
 #include "membrane_contact.hpp"
 #include "node_area.hpp"
+#include "part_bins.hpp"
 #include "penalty.hpp"
 
 namespace geodrop {
@@ -35,48 +36,18 @@ std::vector<Vec<3>> node_normals(const Membrane<3>& membrane) {
   return normals;
 }
 
-/// Triangles of a membrane in cubic bins, to find those near a point.
-class TriangleBins {
- public:
-  TriangleBins(const Membrane<3>& membrane, const Box<3>& region, double reach) : lower_(region.lower) {
-    double largest = 0;  // from the middle to a corner
-    std::vector<std::pair<std::size_t, Vec<3>>> middles;
-    for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
-      const Vec<3> middle = middle_of(membrane, t);
-      if (!region.holds(middle)) continue;
-      for (const Vec<3>& corner : corners_of(membrane, t)) largest = std::max(largest, (corner - middle).norm());
-      middles.emplace_back(t, middle);
-    }
-    width_ = reach + largest;  // a triangle within reach of a point has its middle in one of the 27 bins around it
-    for (int a = 0; a < 2; ++a)
-      count_[a] = static_cast<std::ptrdiff_t>((region.upper[a] - region.lower[a]) / width_) + 3;
-    for (const auto& [t, middle] : middles) entries_.emplace_back(key(middle), t);
-    std::sort(entries_.begin(), entries_.end());
+/// Triangles of a membrane near a region.
+PartBins<3> triangle_bins(const Membrane<3>& membrane, const Box<3>& region, double reach) {
+  double largest = 0;  // from the middle to a corner
+  PartBins<3>::Middles middles;
+  for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
+    const Vec<3> middle = middle_of(membrane, t);
+    if (!region.holds(middle)) continue;
+    for (const Vec<3>& corner : corners_of(membrane, t)) largest = std::max(largest, (corner - middle).norm());
+    middles.emplace_back(t, middle);
   }
-
-  bool empty() const { return entries_.empty(); }
-
-  template <class F>
-  void for_each_near(const Vec<3>& x, F&& f) const {
-    for (int n = 0; n < 9; ++n) {
-      const std::ptrdiff_t middle = key(x) + count_[0] * (n % 3 - 1 + count_[1] * (n / 3 - 1));
-      auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{middle - 1, 0});
-      for (; entry != entries_.end() && entry->first <= middle + 1; ++entry) f(entry->second);
-    }
-  }
-
- private:
-  using Entry = std::pair<std::ptrdiff_t, std::size_t>;
-  std::ptrdiff_t key(const Vec<3>& x) const {
-    const auto at = [&](int a) { return static_cast<std::ptrdiff_t>(std::floor((x[a] - lower_[a]) / width_)); };
-    return at(0) + 1 + count_[0] * (at(1) + 1 + count_[1] * at(2));
-  }
-
-  Vec<3> lower_;
-  double width_ = 0;
-  std::array<std::ptrdiff_t, 2> count_{};
-  std::vector<Entry> entries_;
-};
+  return {middles, region, reach + largest};
+}
 
 /// Where a node meets the other membrane.
 struct SpaceFoot {
@@ -86,7 +57,7 @@ struct SpaceFoot {
 };
 
 /// The nearest triangle within reach that faces the node.
-SpaceFoot nearest_foot(const Membrane<3>& master, const TriangleBins& bins, const Vec<3>& x, const Vec<3>& normal,
+SpaceFoot nearest_foot(const Membrane<3>& master, const PartBins<3>& bins, const Vec<3>& x, const Vec<3>& normal,
                        double reach) {
   SpaceFoot best;
   bins.for_each_near(x, [&](std::size_t t) {
@@ -107,7 +78,7 @@ struct SpacePass {
 
 std::vector<SpaceFoot> find_feet(const SpacePass& pass, double reach) {
   std::vector<SpaceFoot> feet(pass.slave.nodes());
-  const TriangleBins bins(pass.master, bounds(pass.slave, reach), reach);
+  const PartBins<3> bins = triangle_bins(pass.master, bounds(pass.slave, reach), reach);
   if (bins.empty()) return feet;
   const Box<3> around = bounds(pass.master, reach);
   const std::vector<Vec<3>> normals = node_normals(pass.slave);
