@@ -60,8 +60,7 @@ void for_each_part(const Membrane<2>& membrane, F&& f) {
 template <class F>
 void for_each_part(const Membrane<3>& membrane, F&& f) {
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
-    f(WallPart<3>{{corner_of(membrane, t, 0), corner_of(membrane, t, 1), corner_of(membrane, t, 2)},
-                  rough_wall_share * membrane.roughness});
+    f(WallPart<3>{corners_of(membrane, t), rough_wall_share * membrane.roughness});
 }
 
 }  // namespace

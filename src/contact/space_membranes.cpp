@@ -21,10 +21,6 @@
 namespace geodrop {
 namespace {
 
-std::array<Vec<3>, 3> corners_of(const Membrane<3>& membrane, std::size_t triangle) {
-  return {corner_of(membrane, triangle, 0), corner_of(membrane, triangle, 1), corner_of(membrane, triangle, 2)};
-}
-
 /// Of the triangles around it, by their areas.
 std::vector<Vec<3>> node_normals(const Membrane<3>& membrane) {
   std::vector<Vec<3>> normals(membrane.nodes(), Vec<3>::Zero());

@@ -21,17 +21,13 @@ NearTriangles::NearTriangles(const GridLayout<3>& layout, const Membrane<3>& mem
     plate.normal = normal_of(membrane, plate.triangle).normalized();
     plate.middle = middle_of(membrane, plate.triangle);
     plate.radius = 0;
-    for (const Vec<3>& corner : corners_of(plate.triangle))
+    for (const Vec<3>& corner : corners_of(membrane, plate.triangle))
       plate.radius = std::max(plate.radius, (corner - plate.middle).norm());
   }
   for (const ClippedSurface::Flank& flank : cells.flanks) {
     auto& [one, other] = parts_[flank.cell];
     (one.second == 0 ? one : other) = {flank.first_piece, flank.first_piece + flank.pieces};
   }
-}
-
-std::array<Vec<3>, 3> NearTriangles::corners_of(std::uint32_t triangle) const {
-  return {corner_of(membrane_, triangle, 0), corner_of(membrane_, triangle, 1), corner_of(membrane_, triangle, 2)};
 }
 
 /// Of triangles that meet in the nearest point, the one that x is most before or behind tells the side.
@@ -43,7 +39,7 @@ void NearTriangles::look_at(const Plate& plate, const Vec<3>& x, Nearest& neares
   const double square = (x - plate.middle).squaredNorm() - height * height;
   const double beyond = std::sqrt(std::max(0.0, square)) - plate.radius;
   if (beyond > 0 && height * height + beyond * beyond > farthest * farthest) return;
-  const Vec<3> point = nearest_point(corners_of(plate.triangle), x);
+  const Vec<3> point = nearest_point(corners_of(membrane_, plate.triangle), x);
   const double distance = (x - point).norm();
   if (distance > farthest) return;
   if (distance >= (1 - alike) * nearest.distance && std::abs(height) <= std::abs(nearest.height)) return;
@@ -82,7 +78,7 @@ std::optional<RightSide<3>> NearTriangles::on_side(const Vec<3>& x, bool inside)
   const std::uint32_t t = nearest.triangle;
   return RightSide<3>{nearest.point + (inside ? -1 : 1) * distance * layout_.finest * nearest.normal,
                       {corner[0][t], corner[1][t], corner[2][t]},
-                      corner_shares(corners_of(t), nearest.point)};
+                      corner_shares(corners_of(membrane_, t), nearest.point)};
 }
 
 }  // namespace geodrop

@@ -37,7 +37,6 @@ class NearTriangles {
     std::uint32_t triangle = 0;
   };
 
-  std::array<Vec<3>, 3> corners_of(std::uint32_t triangle) const;
   void look_at(const Plate& plate, const Vec<3>& x, Nearest& nearest) const;
 
   const GridLayout<3>& layout_;

@@ -14,6 +14,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace geodrop {
 
 /// What the cloth of a triangle bears.
@@ -30,6 +32,9 @@ ClothState cloth_state(const Membrane<3>& membrane, const Eigen::Matrix2d& right
 
 /// Corner k of a triangle now [m].
 Eigen::Vector3d corner_of(const Membrane<3>& membrane, std::size_t triangle, std::size_t k);
+inline std::array<Eigen::Vector3d, 3> corners_of(const Membrane<3>& membrane, std::size_t triangle) {
+  return {corner_of(membrane, triangle, 0), corner_of(membrane, triangle, 1), corner_of(membrane, triangle, 2)};
+}
 
 /// F of a triangle.
 Eigen::Matrix<double, 3, 2> deformation(const Membrane<3>& membrane, std::size_t triangle);

@@ -236,21 +236,10 @@ Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec, const St
   return membrane;
 }
 
-/// Field 0 if it is empty: an empty one is alone, or in the fluid around.
-int field_of(const State<3>& state, const Membrane<3>& membrane) {
+/// Field 0 if it is empty, which it is in space only: alone, or in the fluid around.
+template <int Dim>
+int field_of(const State<Dim>& state, const Membrane<Dim>& membrane) {
   return membrane.body.empty() ? 0 : find_named(state.bodies, membrane.body).field;
-}
-int field_of(const State<2>& state, const Membrane<2>& membrane) {
-  return find_named(state.bodies, membrane.body).field;
-}
-
-void add_contacts(const Scene& scene, State<3>& state) {
-  for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_rigid_body(spec));
-  for (const ContactSpec& spec : scene.contacts)
-    if (contact_pair(scene, spec).kind == ContactPair::Kind::membranes)
-      state.membrane_contacts.push_back(make_membrane_contact(scene, spec, state));
-    else
-      state.rigid_contacts.push_back(make_space_contact(scene, spec, state));
 }
 
 /// The body with the particle nearest to x.
@@ -325,15 +314,22 @@ void fill_pores(const Scene& scene, const State<Dim>* earlier, State<Dim>& state
   }
 }
 
-void add_contacts(const Scene& scene, State<2>& state) {
-  for (const RigidSpec& spec : scene.rigid) state.rigid.push_back(make_rigid_body(spec, scene.grid));
+template <int Dim>
+void add_contacts(const Scene& scene, State<Dim>& state) {
+  for (const RigidSpec& spec : scene.rigid)
+    if constexpr (Dim == 2)
+      state.rigid.push_back(make_rigid_body(spec, scene.grid));
+    else
+      state.rigid.push_back(make_rigid_body(spec));
   for (const ContactSpec& spec : scene.contacts) {
     const ContactPair pair = contact_pair(scene, spec);
     if (pair.kind == ContactPair::Kind::membranes)
       state.membrane_contacts.push_back(make_membrane_contact(scene, spec, state));
-    else
+    else if constexpr (Dim == 2)
       state.rigid_contacts.push_back(make_rigid_contact(scene, spec, state));
-    allocate_loads(state, [&](const Membrane<2>& membrane) {
+    else
+      state.rigid_contacts.push_back(make_space_contact(scene, spec, state));
+    allocate_loads(state, [&](const Membrane<Dim>& membrane) {
       return membrane.name == pair.touching || membrane.name == pair.other;
     });
   }

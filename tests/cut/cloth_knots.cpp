@@ -24,8 +24,7 @@ constexpr double h = 0.25;
 Membrane<3> ball() {
   Membrane<3> membrane = membrane_of(ellipsoid_surface({0.03, 0.05, 0.07}, {1, 1, 1}, h));
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
-    const Eigen::Matrix2d edges = rest_edges(
-        {corner_of(membrane, t, 0), corner_of(membrane, t, 1), corner_of(membrane, t, 2)}, Eigen::Vector3d::UnitX());
+    const Eigen::Matrix2d edges = rest_edges(corners_of(membrane, t), Eigen::Vector3d::UnitX());
     const Eigen::Matrix2d inverse = edges.inverse();
     for (int c = 0; c < 4; ++c) membrane.triangles.inverse_rest[c].push_back(inverse(c / 2, c % 2));
   }
