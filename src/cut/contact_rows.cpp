@@ -64,15 +64,19 @@ void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const 
   }
 }
 
-System system_of(const SparseRows& E, const Drag& drag, const Eigen::VectorXd& velocity_rate) {
-  if (drag.empty()) return {symmetric_product(E, E), E * velocity_rate};
-  const SparseRows dragged = times(E, drag);
-  return {symmetric_product(dragged, E), dragged * velocity_rate};
+template <int Dim>
+System system_of(const NodeRows<Dim>& E, const ByPlace<Dim>& by_place, const Drag& drag,
+                 const Eigen::VectorXd& velocity_rate) {
+  if (drag.empty()) return {symmetric_product(E, by_place), times(E, velocity_rate)};
+  const NodeRows<Dim> dragged = times(E, drag);
+  return {symmetric_product(dragged, by_place), times(dragged, velocity_rate)};
 }
 
 template std::vector<RowsOfContact<2>> rows_of(const Grids<2>&, const std::vector<Contact<2>>&);
 template std::vector<RowsOfContact<3>> rows_of(const Grids<3>&, const std::vector<Contact<3>>&);
 template void store(const ContactRows<2>&, const Eigen::VectorXd&, const Grids<2>&, std::vector<Contact<2>>&);
 template void store(const ContactRows<3>&, const Eigen::VectorXd&, const Grids<3>&, std::vector<Contact<3>>&);
+template System system_of(const NodeRows<2>&, const ByPlace<2>&, const Drag&, const Eigen::VectorXd&);
+template System system_of(const NodeRows<3>&, const ByPlace<3>&, const Drag&, const Eigen::VectorXd&);
 
 }  // namespace geodrop

@@ -68,7 +68,9 @@ struct System {
 };
 
 /// The system of rows E, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows
-/// ask for velocities after it. velocity_rate: M^1/2 v / dt.
-System system_of(const SparseRows& E, const Drag& drag, const Eigen::VectorXd& velocity_rate);
+/// ask for velocities after it. by_place: E. velocity_rate: M^1/2 v / dt.
+template <int Dim>
+System system_of(const NodeRows<Dim>& E, const ByPlace<Dim>& by_place, const Drag& drag,
+                 const Eigen::VectorXd& velocity_rate);
 
 }  // namespace geodrop

@@ -66,8 +66,9 @@ void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Con
       for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
   if (rows.list().empty()) return;
   const Drag drag = rows.rows().drag(dt);
-  const SparseRows T = rows.rows().matrix();
-  const auto [S, slip_rate] = system_of(T, drag, rows.rows().scaled_velocities() / dt);
+  const NodeRows<Dim> T = rows.rows().matrix();
+  const ByPlace<Dim> by_place(T);
+  const auto [S, slip_rate] = system_of(T, by_place, drag, rows.rows().scaled_velocities() / dt);
   const Eigen::VectorXd slip = dt * slip_rate;
   Eigen::VectorXd guess(S.rows());
   std::vector<double> most(rows.list().size() / ways);
@@ -79,7 +80,7 @@ void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Con
     limit(most[k], guess.segment(first, ways));
   }
   const Eigen::VectorXd traction = solve_limited<Dim>(S, slip_rate, most, guess);
-  apply_pressures(rows.rows(), T, traction, dt, grids);
+  apply_pressures(rows.rows(), by_place, traction, dt, grids);
   store(rows, traction, grids, contacts);
 }
 

@@ -11,7 +11,7 @@
 namespace geodrop {
 
 template <int Dim>
-Columns<Dim>::Columns(const Grids<Dim>& grids) : grids_(grids) {
+Places<Dim>::Places(const Grids<Dim>& grids) : grids_(grids) {
   constexpr int reach = 2;  // beyond the boxes of the outlines
   std::array<int, Dim> last{};
   first_.fill(std::numeric_limits<int>::max());
@@ -27,14 +27,14 @@ Columns<Dim>::Columns(const Grids<Dim>& grids) : grids_(grids) {
 }
 
 template <int Dim>
-int Columns<Dim>::of(int field, int node) {
+int Places<Dim>::of(int field, int node) {
   const std::array<int, Dim> at = stored_cell(grids_[field].layout, node);
   std::size_t place = 0;
   for (int a = Dim - 1; a >= 0; --a) place = place * count_[a] + at[a] - first_[a];
   int& number = number_[field][place];
   if (number >= 0) return number;
-  number = Dim * static_cast<int>(places_.size());
-  places_.push_back({field, node, std::sqrt(grids_[field].sum[node][3]), held_by_walls(grids_[field].layout, node)});
+  number = static_cast<int>(list_.size());
+  list_.push_back({field, node, std::sqrt(grids_[field].sum[node][3]), held_by_walls(grids_[field].layout, node)});
   return number;
 }
 
@@ -170,37 +170,24 @@ RawRow<2> along(RawRow<2> normal) {
 
 template <int Dim>
 bool Rows<Dim>::add(const RawRow<Dim>& row) {
-  for (const auto& [field, node, value] : row.entries) {
-    const int column = columns_.of(field, node);
-    if (row.complete) entries_.push_back({column, value});
-  }
-  if (row.complete) row_begin_.push_back(entries_.size());
+  std::vector<NodeEntry<Dim>> entries;
+  entries.reserve(row.entries.size());
+  for (const auto& [field, node, value] : row.entries) entries.push_back({places_.of(field, node), value});
+  if (row.complete) rows_.push_back(std::move(entries));
   return row.complete;
 }
 
 template <int Dim>
-SparseRows Rows<Dim>::matrix() const {
-  SparseRows E(count(), Dim * static_cast<int>(columns_.places().size()));
-  const auto& places = columns_.places();
-  const auto moves = [&](const Entry& entry, int a) { return !places[entry.column / Dim].fixed[a]; };
-  for (int r = 0; r < count(); ++r) {
-    int entries = 0;
-    for (std::size_t k = row_begin_[r]; k < row_begin_[r + 1]; ++k)
-      for (int a = 0; a < Dim; ++a) entries += moves(entries_[k], a);
-    E.outerIndexPtr()[r + 1] = E.outerIndexPtr()[r] + entries;
-  }
-  E.resizeNonZeros(E.outerIndexPtr()[count()]);
+NodeRows<Dim> Rows<Dim>::matrix() const {
+  NodeRows<Dim> E{rows_, places_.list().size()};
+  const auto count = static_cast<std::ptrdiff_t>(E.rows.size());
 #pragma omp parallel for schedule(static)
-  for (int r = 0; r < count(); ++r) {
-    std::vector<Entry> row(entries_.begin() + row_begin_[r], entries_.begin() + row_begin_[r + 1]);
-    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
-    int at = E.outerIndexPtr()[r];
-    for (const Entry& entry : row)
-      for (int a = 0; a < Dim; ++a) {
-        if (!moves(entry, a)) continue;
-        E.innerIndexPtr()[at] = entry.column + a;
-        E.valuePtr()[at++] = entry.value[a];
-      }
+  for (std::ptrdiff_t r = 0; r < count; ++r) {
+    auto& row = E.rows[r];
+    for (auto& [place, value] : row)
+      for (int a = 0; a < Dim; ++a)
+        if (places_.list()[place].fixed[a]) value[a] = 0;
+    std::sort(row.begin(), row.end(), [](const auto& one, const auto& other) { return one.place < other.place; });
   }
   return E;
 }
@@ -215,60 +202,29 @@ Drag Rows<Dim>::drag(double dt) {
   std::vector<int> soil_of(grids_.size(), -1);
   for (const Grid<Dim>& grid : grids_)
     if (grid.pore_water >= 0) soil_of[grid.pore_water] = grid.field;
-  for (std::size_t k = 0; k < columns_.places().size(); ++k) {  // grows
-    const auto [field, node] = std::pair(columns_.places()[k].field, columns_.places()[k].node);
+  for (std::size_t k = 0; k < places_.list().size(); ++k) {  // grows
+    const auto [field, node] = std::pair(places_.list()[k].field, places_.list()[k].node);
     const int soil = grids_[field].pore_water >= 0 ? field : soil_of[field];
     if (soil < 0) continue;
     const Grid<Dim>&grid = grids_[soil], &around = grids_[grid.pore_water];
     const double c = dt * around.node_drag[node];
     if (!(c > 0 && grid.sum[node][3] > 0 && around.sum[node][3] > 0)) continue;
-    const int water_column = columns_.of(around.field, node), soil_column = columns_.of(soil, node);
-    pairs.push_back({water_column, soil_column, c / around.sum[node][3], c / grid.sum[node][3]});
+    const int of_water = places_.of(around.field, node), of_soil = places_.of(soil, node);
+    pairs.push_back({of_water, of_soil, c / around.sum[node][3], c / grid.sum[node][3]});
   }
   if (pairs.empty()) return {};
-  Drag out(Dim * columns_.places().size());
-  for (const auto& [water, soil, of_water, of_soil] : pairs)
-    for (int a = 0; a < Dim; ++a) {
-      if (out[water + a].partner >= 0 /* both of a pair name it */ || columns_.places()[water / Dim].fixed[a]) continue;
-      const double scale = 1 / (1 + of_water + of_soil), both = std::sqrt(of_water * of_soil) * scale;
-      out[water + a] = {(1 + of_soil) * scale, both, soil + a};
-      out[soil + a] = {(1 + of_water) * scale, both, water + a};
-    }
-  return out;
-}
-
-SparseRows times(const SparseRows& E, const Drag& K) {
-  SparseRows product(E.rows(), E.cols());
-  product.reserve(2 * E.nonZeros());
-  std::vector<double> sum(E.cols());
-  std::vector<std::uint8_t> met(E.cols(), 0);
-  for (int r = 0; r < E.rows(); ++r) {
-    int first = static_cast<int>(E.cols()), last = -1;
-    const auto add = [&](int column, double value) {
-      sum[column] = met[column] ? sum[column] + value : value;
-      met[column] = 1;
-      first = std::min(first, column);
-      last = std::max(last, column);
-    };
-    for (SparseRows::InnerIterator entry(E, r); entry; ++entry) {
-      const auto& [own, both, partner] = K[entry.col()];
-      add(static_cast<int>(entry.col()), entry.value() * own);
-      if (partner >= 0) add(partner, entry.value() * both);
-    }
-    product.startVec(r);
-    for (int c = first; c <= last; ++c)
-      if (met[c]) {
-        product.insertBack(r, c) = sum[c];
-        met[c] = 0;
-      }
+  Drag out(places_.list().size());
+  for (const auto& [water, soil, of_water, of_soil] : pairs) {  // both of a pair name it
+    const double scale = 1 / (1 + of_water + of_soil), both = std::sqrt(of_water * of_soil) * scale;
+    out[water] = {(1 + of_soil) * scale, both, soil};
+    out[soil] = {(1 + of_water) * scale, both, water};
   }
-  product.finalize();
-  return product;
+  return out;
 }
 
 template <int Dim>
 Eigen::VectorXd Rows<Dim>::scaled_velocities() const {
-  const auto& places = columns_.places();
+  const auto& places = places_.list();
   Eigen::VectorXd scaled(Dim * places.size());
   for (std::size_t n = 0; n < places.size(); ++n)
     for (int a = 0; a < Dim; ++a)
@@ -277,29 +233,33 @@ Eigen::VectorXd Rows<Dim>::scaled_velocities() const {
 }
 
 template <int Dim>
-void apply_pressures(const Rows<Dim>& rows, const SparseRows& E, const Eigen::VectorXd& pressure, double dt,
+void apply_pressures(const Rows<Dim>& rows, const ByPlace<Dim>& E, const Eigen::VectorXd& pressure, double dt,
                      Grids<Dim>& grids) {
-  const auto& places = rows.columns().places();
-  const Eigen::VectorXd change = -dt * (E.transpose() * pressure);
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    Grid<Dim>& grid = grids[places[n].field];
+  const auto places = static_cast<std::ptrdiff_t>(E.places());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t n = 0; n < places; ++n) {
+    std::array<double, Dim> impulse{};
+    for (const auto& [row, value] : E.at(n))
+      for (int a = 0; a < Dim; ++a) impulse[a] += -dt * value[a] * pressure[row];
+    const auto& place = rows.places().list()[n];
+    Grid<Dim>& grid = grids[place.field];
     for (int a = 0; a < Dim; ++a) {
-      const double v = change[Dim * n + a] / places[n].root_mass;
-      grid.velocity[places[n].node][a] += v;
-      if (!grid.velocity_change.empty()) grid.velocity_change[places[n].node][a] += v;
+      const double v = impulse[a] / place.root_mass;
+      grid.velocity[place.node][a] += v;
+      if (!grid.velocity_change.empty()) grid.velocity_change[place.node][a] += v;
     }
   }
 }
 
-template class Columns<2>;
-template class Columns<3>;
+template class Places<2>;
+template class Places<3>;
 template RawRow<2> make_row(const Grids<2>&, int, int, const std::vector<NodeVector<2>>&);
 template RawRow<3> make_row(const Grids<3>&, int, int, const std::vector<NodeVector<3>>&);
 template RawRow<2> make_row(const Grids<2>&, int, const std::vector<NodeVector<2>>&);
 template RawRow<3> make_row(const Grids<3>&, int, const std::vector<NodeVector<3>>&);
 template class Rows<2>;
 template class Rows<3>;
-template void apply_pressures(const Rows<2>&, const SparseRows&, const Eigen::VectorXd&, double, Grids<2>&);
-template void apply_pressures(const Rows<3>&, const SparseRows&, const Eigen::VectorXd&, double, Grids<3>&);
+template void apply_pressures(const Rows<2>&, const ByPlace<2>&, const Eigen::VectorXd&, double, Grids<2>&);
+template void apply_pressures(const Rows<3>&, const ByPlace<3>&, const Eigen::VectorXd&, double, Grids<3>&);
 
 }  // namespace geodrop

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "grid/node_vectors.hpp"
-#include "sparse_product.hpp"
+#include "node_rows.hpp"
 #include "stretches.hpp"
 
 namespace geodrop {
 
-/// The nodes that the rows of E reach, of all fields: as many columns each as there are axes.
+/// The nodes that the rows of E reach, of all fields.
 template <int Dim>
-class Columns {
+class Places {
  public:
   struct Place {
     int field, node;
@@ -24,17 +24,17 @@ class Columns {
     std::array<bool, Dim> fixed;  ///< components that a wall holds
   };
 
-  explicit Columns(const Grids<Dim>& grids);
+  explicit Places(const Grids<Dim>& grids);
 
-  /// Number of the first of the columns of a node that has mass.
+  /// Number of a node that has mass.
   int of(int field, int node);
-  const std::vector<Place>& places() const { return places_; }
+  const std::vector<Place>& list() const { return list_; }
 
  private:
   const Grids<Dim>& grids_;
   std::array<int, Dim> first_{}, count_{};  ///< stored nodes that rows may reach: around the outlines
   std::vector<std::vector<int>> number_;    ///< by field and node of that box
-  std::vector<Place> places_;
+  std::vector<Place> list_;
 };
 
 /// A row on its way: what it says of the velocities of nodes, times M^-1/2, in the order in which nodes turned up.
@@ -59,52 +59,36 @@ RawRow<Dim> make_row(const Grids<Dim>& grids, int field, const std::vector<NodeV
 /// The row along an outline from the one normal to it: all vectors a quarter turn anticlockwise.
 RawRow<2> along(RawRow<2> normal);
 
-/// A symmetric matrix that links each column with one other at most.
-struct DragAt {
-  double own = 1, both = 0;  ///< on the diagonal, and between the two
-  int partner = -1;
-};
-using Drag = std::vector<DragAt>;
-
-/// E K; each sum has two terms at most, whose order does not matter.
-SparseRows times(const SparseRows& E, const Drag& K);
-
 /// Builds E M^-1/2 row by row.
 template <int Dim>
 class Rows {
  public:
-  explicit Rows(const Grids<Dim>& grids) : grids_(grids), columns_(grids) {}
+  explicit Rows(const Grids<Dim>& grids) : grids_(grids), places_(grids) {}
 
   /// None, and false, if the row is not complete.
   bool add(const RawRow<Dim>& row);
 
-  int count() const { return static_cast<int>(row_begin_.size()) - 1; }
-  SparseRows matrix() const;
+  std::size_t count() const { return rows_.size(); }
+  NodeRows<Dim> matrix() const;
 
-  /// What the drag between soils and the water in their pores leaves of a step's impulses at the columns, implicitly as
-  /// in pores/pores: (1 + dt M^-1/2 C M^-1/2)^-1; adds the columns of their partners. Empty if nothing drags there.
+  /// What the drag between soils and the water in their pores leaves of a step's impulses at the nodes, implicitly as
+  /// in pores/pores: (1 + dt M^-1/2 C M^-1/2)^-1; adds the places of their partners. Empty if nothing drags there.
   Drag drag(double dt);
 
-  /// M^1/2 v of the columns [kg^1/2 m/s].
+  /// M^1/2 v of the places [kg^1/2 m/s].
   Eigen::VectorXd scaled_velocities() const;
 
-  const Columns<Dim>& columns() const { return columns_; }
+  const Places<Dim>& places() const { return places_; }
 
  private:
-  struct Entry {
-    int column;  ///< the first of its node
-    std::array<double, Dim> value;
-  };
-
   const Grids<Dim>& grids_;
-  Columns<Dim> columns_;
-  std::vector<Entry> entries_;
-  std::vector<std::size_t> row_begin_{0};
+  Places<Dim> places_;
+  std::vector<std::vector<NodeEntry<Dim>>> rows_;  ///< in the order in which nodes turned up
 };
 
 /// v -= dt M^-1 E^T p.
 template <int Dim>
-void apply_pressures(const Rows<Dim>& rows, const SparseRows& E, const Eigen::VectorXd& pressure, double dt,
+void apply_pressures(const Rows<Dim>& rows, const ByPlace<Dim>& E, const Eigen::VectorXd& pressure, double dt,
                      Grids<Dim>& grids);
 
 }  // namespace geodrop

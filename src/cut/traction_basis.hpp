@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "interface_contacts.hpp"
-#include "sparse_product.hpp"
+#include "node_rows.hpp"
 
 namespace geodrop {
 

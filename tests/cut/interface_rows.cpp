@@ -31,13 +31,22 @@ std::pair<double, std::size_t> sums(const std::vector<Stretch>& stretches) {
 
 /// Sum of the entries of a row times the root of the masses that they were divided by, by field: of vectors, x and y.
 std::array<std::array<double, 2>, 2> impulses(const Rows<2>& rows) {
-  const SparseRows E = rows.matrix();
   std::array<std::array<double, 2>, 2> sum{};
-  for (SparseRows::InnerIterator entry(E, 0); entry; ++entry) {
-    const Columns<2>::Place& place = rows.columns().places()[entry.col() / 2];
-    sum[place.field][entry.col() % 2] += entry.value() * place.root_mass;
+  const NodeRows<2> E = rows.matrix();
+  for (const auto& [number, value] : E.rows.front()) {
+    const Places<2>::Place& place = rows.places().list()[number];
+    for (int a = 0; a < 2; ++a) sum[place.field][a] += value[a] * place.root_mass;
   }
   return sum;
+}
+
+/// Rows, two columns for each place.
+Eigen::MatrixXd dense(const NodeRows<2>& E) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(E.rows.size(), 2 * E.places);
+  for (std::size_t r = 0; r < E.rows.size(); ++r)
+    for (const auto& [place, value] : E.rows[r])
+      for (int a = 0; a < 2; ++a) out(r, 2 * place + a) = value[a];
+  return out;
 }
 
 bool add(Rows<2>& rows, const SharpBox& box, int field, int other, const std::vector<NodeVector<2>>& vectors) {
@@ -154,7 +163,7 @@ TEST_CASE("Walls hold the normal component of their nodes, no-slip walls both") 
   for (const WallKind wall : {WallKind::slip, WallKind::no_slip}) {
     SharpBox box({0.75, 11.25, 0.75, 11.25}, Sense::anticlockwise, wall);
     for (Grid<2>& grid : box.grids) box.set_mass(grid, 4.0);
-    Columns<2> columns(box.grids);
+    Places<2> places(box.grids);
     const bool sticks = wall == WallKind::no_slip;
     struct Node {
       int i, j;
@@ -166,16 +175,16 @@ TEST_CASE("Walls hold the normal component of their nodes, no-slip walls both") 
                              Node{1, last - 1, {false, false}}}) {
       CAPTURE(node.i);
       CAPTURE(node.j);
-      const int number = columns.of(1, box.flat(node.i, node.j));
-      const Columns<2>::Place& place = columns.places()[number / 2];
+      const int number = places.of(1, box.flat(node.i, node.j));
+      const Places<2>::Place& place = places.list()[number];
       CHECK(place.fixed == node.fixed);
       CHECK(place.root_mass == 2.0);
       CHECK(place.field == 1);
       CHECK(place.node == box.flat(node.i, node.j));
-      CHECK(columns.of(1, box.flat(node.i, node.j)) == number);
+      CHECK(places.of(1, box.flat(node.i, node.j)) == number);
     }
-    CHECK(columns.places().size() == 7);
-    CHECK(columns.of(0, box.flat(5, 5)) == 14);  // another field, another column
+    CHECK(places.list().size() == 7);
+    CHECK(places.of(0, box.flat(5, 5)) == 7);  // another field, another place
   }
 }
 
@@ -185,7 +194,7 @@ TEST_CASE("A row adds up one field's vectors over the roots of the masses and ta
   box.set_mass(box.around(), 9e3);
   Rows<2> rows(box.grids);
   REQUIRE(add(rows, box, 1, 0, {{box.flat(5, 5), {0.5, 0}}, {box.flat(5, 6), {0.25, -1}}}));
-  const Eigen::MatrixXd E = rows.matrix();
+  const Eigen::MatrixXd E = dense(rows.matrix());
   REQUIRE(E.rows() == 1);
   REQUIRE(E.cols() == 8);
   const double inside = std::sqrt(4e3), around = std::sqrt(9e3);
@@ -212,9 +221,9 @@ TEST_CASE("A light node keeps its share of a vector and hands on the rest by mas
     CHECK(sum[1][0] == near(0.6, 1e-13));
     CHECK(sum[1][1] == near(-0.3, 1e-13));
     CHECK(sum[0][0] == near(-0.6, 1e-13));
-    const Eigen::MatrixXd E = rows.matrix();
-    for (std::size_t n = 0; n < rows.columns().places().size(); ++n) {
-      const Columns<2>::Place& place = rows.columns().places()[n];
+    const Eigen::MatrixXd E = dense(rows.matrix());
+    for (std::size_t n = 0; n < rows.places().list().size(); ++n) {
+      const Places<2>::Place& place = rows.places().list()[n];
       if (place.field != 1) continue;
       const double kept = mass / light, spread = (1 - kept) * place.root_mass * place.root_mass / (8000 + mass);
       const double share = spread + (place.node == box.flat(5, 5) ? kept : 0.0);
@@ -248,23 +257,28 @@ TEST_CASE("Pressures change velocities by dt p b / m, in opposite senses, and wh
   Eigen::VectorXd pressure(1);
   pressure << 2e3;
   box.inside().velocity[box.flat(5, 5)] = Vec4{1, 1, 0, 0};
-  apply_pressures(rows, rows.matrix(), pressure, 0.01, box.grids);
+  apply_pressures(rows, ByPlace<2>(rows.matrix()), pressure, 0.01, box.grids);
   CHECK(box.inside().velocity[box.flat(5, 5)][0] == near(1 - 0.01 * 2e3 * 0.5 / 4e3, 1e-14));
   CHECK(box.inside().velocity[box.flat(5, 5)][1] == near(1 + 0.01 * 2e3 * 0.25 / 4e3, 1e-14));
   CHECK(box.around().velocity[box.flat(5, 5)][0] == near(0.01 * 2e3 * 0.5 / 9e3, 1e-14));
   CHECK(box.inside().velocity_change[box.flat(5, 5)][0] == near(-0.01 * 2e3 * 0.5 / 4e3, 1e-14));
 }
 
-TEST_CASE("A symmetric product A B^T, entry by entry") {
-  SparseRows A(2, 4), B(3, 4), K(4, 4);
-  A.insert(0, 0) = 2, A.insert(0, 3) = -1, A.insert(1, 1) = 4;
-  B.insert(0, 3) = 5, B.insert(1, 0) = 3, B.insert(1, 1) = 0.5, B.insert(1, 3) = -1, B.insert(2, 2) = 7;
-  for (int a = 0; a < 4; ++a) K.insert(a, a) = 2 + a;
-  K.insert(2, 3) = K.insert(3, 2) = 0.5;
-  A.makeCompressed(), B.makeCompressed(), K.makeCompressed();
-  const Eigen::MatrixXd square = symmetric_product(A, A), both{{5, 0}, {0, 16}};
+TEST_CASE("Products of rows over places, entry by entry") {
+  const NodeRows<2> A{{{{0, {2, 0}}, {1, {0, -1}}}, {{0, {0, 4}}}}, 2};
+  const NodeRows<2> B{{{{1, {0, 5}}}, {{0, {3, 0.5}}, {1, {0, -1}}}, {{1, {7, 0}}}}, 2};
+  const Eigen::MatrixXd square = symmetric_product(A, ByPlace<2>(A)), both{{5, 0}, {0, 16}};
   CHECK((square - both).norm() < 1e-15);
-  const Eigen::MatrixXd product = symmetric_product(SparseRows(B * K), B);
-  const Eigen::MatrixXd expected{{125, -25, 17.5}, {-25, 23.75, -3.5}, {17.5, -3.5, 196}};
-  CHECK((product - expected).norm() < 1e-13);
+  SparseRows sums(2, 3);
+  sums.insert(0, 1) = 2, sums.insert(1, 0) = 1, sums.insert(1, 2) = -3;
+  sums.makeCompressed();
+  CHECK((dense(times(sums, B)) - Eigen::MatrixXd(sums) * dense(B)).norm() < 1e-15);
+  const Drag K{{2, 0.5, 1}, {3, 0.5, 0}};
+  const Eigen::Matrix4d whole{{2, 0, 0.5, 0}, {0, 2, 0, 0.5}, {0.5, 0, 3, 0}, {0, 0.5, 0, 3}};
+  const NodeRows<2> dragged = times(B, K);
+  CHECK((dense(dragged) - dense(B) * whole).norm() < 1e-14);
+  CHECK((Eigen::MatrixXd(symmetric_product(dragged, ByPlace<2>(B))) - dense(B) * whole * dense(B).transpose()).norm() <
+        1e-13);
+  const Eigen::VectorXd v{{1, -2, 0.5, 3}};
+  CHECK((times(B, v) - dense(B) * v).norm() < 1e-14);
 }
