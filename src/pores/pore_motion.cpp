@@ -13,10 +13,11 @@ PoreMotion<Dim>::PoreMotion(Grid<Dim>& grains, Grid<Dim>& water, double dt)
       bagged_(grains.outline.size() > 0),
       grains_{&grains, {}, {}, {}, {}},
       water_{&water, {}, {}, {}, {}},
-      known_(water.layout.nodes(), false) {
+      number_(water.layout.nodes(), -1) {
   find_nodes();
   for (Field* field : {&grains_, &water_}) {
-    for (std::vector<double>& component : field->change) component.assign(water.layout.nodes(), 0.0);
+    field->change.assign(nodes_.size(), Vec4{});
+    field->light.assign(nodes_.size(), 0);
     if (bagged_) find_shares(*field);
   }
 }
@@ -32,9 +33,10 @@ void PoreMotion<Dim>::find_nodes() {
       Node node{flat, m_w > 0 || bagged_ ? water.pore_share[flat] : 1.0, inverse(m_w), inverse(m_s), 0, {}, false};
       const double drag = m_w > 0 && m_s > 0 ? dt_ * water.node_drag[flat] : 0;
       node.drag = drag / (1 + drag * (node.of_water + node.of_grains));
-      node.held = held_by_walls(water.layout, flat);
+      const std::array<bool, Dim> held = held_by_walls(water.layout, flat);
+      for (int a = 0; a < Dim; ++a) node.free[a] = held[a] ? 0 : 1;
+      number_[flat] = static_cast<int>(nodes_.size());
       nodes_.push_back(node);
-      known_[flat] = true;
     }
   };
   for (const std::uint32_t block : water.active_blocks) for_each_real_row_of_block(water.layout, block, find_in_row);
@@ -42,49 +44,47 @@ void PoreMotion<Dim>::find_nodes() {
 
 template <int Dim>
 void PoreMotion<Dim>::find_shares(Field& field) {
-  field.light.assign(field.grid->layout.nodes(), false);
-  for (const Node& node : nodes_) {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const int from = static_cast<int>(k);
     const std::size_t before = field.shares.size();
-    for_shares_of_impulse<Dim>(*field.grid, node.flat, [&](int to, double share) {
-      if (known_[to]) field.shares.push_back({node.flat, to, share});
+    for_shares_of_impulse<Dim>(*field.grid, nodes_[k].flat, [&](int to, double share) {
+      if (number_[to] >= 0) field.shares.push_back({from, number_[to], share});
     });
     const bool keeps_all =
-        field.shares.size() == before + 1 && field.shares.back().to == node.flat && field.shares.back().share == 1;
+        field.shares.size() == before + 1 && field.shares.back().to == from && field.shares.back().share == 1;
     if (keeps_all)
       field.shares.pop_back();
     else
-      field.light[node.flat] = true;
+      field.light[k] = 1;
   }
 }
 
 /// Impulses of light nodes to where they go.
 template <int Dim>
-void PoreMotion<Dim>::hand_on(Field& field, int component) {
-  if (field.shares.empty()) return;
-  std::vector<double>& impulse = field.change[component];
-  std::vector<double>& given = field.given;
+void PoreMotion<Dim>::hand_on(Field& field) {
+  std::vector<Vec4>&impulse = field.change, &given = field.given;
   given.clear();
   for (const Share& share : field.shares) given.push_back(share.share * impulse[share.from]);
-  for (const Share& share : field.shares) impulse[share.from] = 0;
+  for (const Share& share : field.shares) impulse[share.from] = Vec4{};
   for (std::size_t k = 0; k < given.size(); ++k) impulse[field.shares[k].to] += given[k];
 }
 
-/// Adds the part of a field to the velocities that cells see; velocity(node) is that of the field.
+/// Writes the velocities that cells see; those of the two fields by number of their nodes.
 template <int Dim>
-template <class F>
-void PoreMotion<Dim>::add_seen(int component, const Field& field, F&& velocity, std::vector<double>& out) const {
-  const bool of_water = &field == &water_;
-  const auto part = [&](const Node& node) { return of_water ? node.share : 1 - node.share; };
-  std::size_t s = 0;  // shares stand in the order of the nodes
-  for (const Node& node : nodes_) {
-    double seen = 0;
-    if (field.light.empty() || !field.light[node.flat]) {
-      seen = velocity(node.flat);
-    } else {
-      for (; s < field.shares.size() && field.shares[s].from == node.flat; ++s)
-        seen += field.shares[s].share * velocity(field.shares[s].to);
-    }
-    if (!node.held[component]) out[node.flat] += part(node) * seen;
+void PoreMotion<Dim>::see(auto&& of_water, auto&& of_grains, NodeVectors<Dim>& out) const {
+  auto water_share = water_.shares.begin(), grains_share = grains_.shares.begin();  // in the order of the nodes
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const auto seen = [k](const Field& field, auto&& velocity, auto& share) {
+      if (!field.light[k]) return velocity(k);
+      Vec4 sum{};
+      for (; share != field.shares.end() && share->from == static_cast<int>(k); ++share)
+        sum += share->share * velocity(share->to);
+      return sum;
+    };
+    const Node& node = nodes_[k];
+    const Vec4 v =
+        node.share * seen(water_, of_water, water_share) + (1 - node.share) * seen(grains_, of_grains, grains_share);
+    for (int a = 0; a < Dim; ++a) out[a][node.flat] = node.free[a] > 0 ? v[a] : 0;
   }
 }
 
@@ -104,51 +104,41 @@ double PoreMotion<Dim>::lightness(int node) const {
 
 template <int Dim>
 void PoreMotion<Dim>::respond(NodeVectors<Dim>& impulse) {
-  for (int a = 0; a < Dim; ++a) {
-    std::vector<double>&w = water_.change[a], &s = grains_.change[a];
-    for (const Node& node : nodes_) {
-      const double f = node.pressed ? impulse[a][node.flat] : 0;
-      w[node.flat] = node.share * f;
-      s[node.flat] = (1 - node.share) * f;
-    }
-    hand_on(water_, a);
-    hand_on(grains_, a);
-    for (const Node& node : nodes_) {
-      double& v_w = w[node.flat];
-      double& v_s = s[node.flat];
-      v_w *= node.held[a] ? 0 : node.of_water;
-      v_s *= node.held[a] ? 0 : node.of_grains;
-      const double exchanged = node.drag * (v_w - v_s);
-      v_w -= exchanged * node.of_water;
-      v_s += exchanged * node.of_grains;
-      impulse[a][node.flat] = 0;
-    }
-    add_seen(
-        a, water_, [&](int node) { return w[node]; }, impulse[a]);
-    add_seen(
-        a, grains_, [&](int node) { return s[node]; }, impulse[a]);
+  std::vector<Vec4>&w = water_.change, &s = grains_.change;
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const Node& node = nodes_[k];
+    Vec4 f{};
+    for (int a = 0; a < Dim && node.pressed; ++a) f[a] = impulse[a][node.flat];
+    w[k] = node.share * f;
+    s[k] = (1 - node.share) * f;
   }
+  hand_on(water_);
+  hand_on(grains_);
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const Node& node = nodes_[k];
+    w[k] *= node.of_water * node.free;
+    s[k] *= node.of_grains * node.free;
+    const Vec4 exchanged = node.drag * (w[k] - s[k]);
+    w[k] -= exchanged * node.of_water;
+    s[k] += exchanged * node.of_grains;
+  }
+  see([&](std::size_t k) { return w[k]; }, [&](std::size_t k) { return s[k]; }, impulse);
 }
 
 template <int Dim>
 void PoreMotion<Dim>::velocities(NodeVectors<Dim>& out) const {
-  for (int a = 0; a < Dim; ++a) {
-    for (const Node& node : nodes_) out[a][node.flat] = 0;
-    add_seen(
-        a, water_, [&](int node) { return water_.grid->velocity[node][a]; }, out[a]);
-    add_seen(
-        a, grains_, [&](int node) { return grains_.grid->velocity[node][a]; }, out[a]);
-  }
+  see([&](std::size_t k) { return water_.grid->velocity[nodes_[k].flat]; },
+      [&](std::size_t k) { return grains_.grid->velocity[nodes_[k].flat]; }, out);
 }
 
 template <int Dim>
 void PoreMotion<Dim>::move() {
   for (Field* field : {&water_, &grains_})
-    for (const Node& node : nodes_)
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
       for (int a = 0; a < Dim; ++a) {
-        field->grid->velocity[node.flat][a] += field->change[a][node.flat];
+        field->grid->velocity[nodes_[k].flat][a] += field->change[k][a];
         if (!field->grid->velocity_change.empty())
-          field->grid->velocity_change[node.flat][a] += field->change[a][node.flat];
+          field->grid->velocity_change[nodes_[k].flat][a] += field->change[k][a];
       }
   impose_wall_velocity(*grains_.grid);  // that of the water follows
 }

@@ -6,7 +6,7 @@
 // Symmetric and positive.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "grid/implicit_pressure.hpp"
@@ -31,34 +31,33 @@ class PoreMotion final : public Medium<Dim> {
     double share;                ///< n
     double of_water, of_grains;  ///< 1 / m [1/kg]; 0: no mass
     double drag;                 ///< dt c / (1 + dt c (1 / m_w + 1 / m_s)) [kg]
-    std::array<bool, Dim> held;
+    Vec4 free;                   ///< 0 for the components that walls hold, otherwise 1
     bool pressed = false;
   };
-  /// Where an impulse on a node goes.
+  /// Where an impulse on a node goes; nodes by their number.
   struct Share {
     int from, to;
     double share;
   };
-  /// One of the two fields.
+  /// One of the two fields; nodes by their number.
   struct Field {
     Grid<Dim>* grid;
-    std::vector<bool> light;    ///< nodes whose impulses are handed on
-    std::vector<Share> shares;  ///< of those
-    NodeVectors<Dim> change;    ///< impulses, then velocities
-    std::vector<double> given;  ///< by shares, of the component that is handed on
+    std::vector<std::uint8_t> light;  ///< whether the impulse on a node is handed on
+    std::vector<Share> shares;        ///< of those, in the order of the nodes
+    std::vector<Vec4> change;         ///< impulses, then velocities
+    std::vector<Vec4> given;          ///< by shares: what is handed on
   };
 
   void find_nodes();
   void find_shares(Field& field);
-  static void hand_on(Field& field, int component);
-  template <class F>
-  void add_seen(int component, const Field& field, F&& velocity, std::vector<double>& out) const;
+  static void hand_on(Field& field);
+  void see(auto&& of_water, auto&& of_grains, NodeVectors<Dim>& out) const;
 
   double dt_;
   bool bagged_;
   Field grains_, water_;
   std::vector<Node> nodes_;
-  std::vector<bool> known_;  ///< whether a node is one of these
+  std::vector<int> number_;  ///< of the nodes of the grid; -1: neither field has mass there
 };
 
 }  // namespace geodrop
