@@ -165,16 +165,17 @@ struct Joint {
 template <int Dim>
 std::pair<Eigen::VectorXd, std::vector<bool>> last_of(const ContactRows<Dim>& rows, const Joint<Dim>& joint,
                                                       const Grids<Dim>& grids) {
-  Eigen::VectorXd last(rows.list().size() + joint.held.size());
-  std::vector<bool> only_pushes;
-  Eigen::Index r = 0;
-  for (const auto& [c, says] : rows.list()) {
-    const Contact<Dim>& contact = joint.contacts[c];
-    last[r++] = last_traction(contact, grids[contact.membrane->field].outline, says);
-    only_pushes.push_back(says == Says::normal && contact.on_bed);
+  const auto of_contacts = std::ssize(rows.list());
+  Eigen::VectorXd last(of_contacts + std::ssize(joint.held));
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t r = 0; r < of_contacts; ++r) {
+    const auto& [c, says] = rows.list()[r];
+    last[r] = last_traction(joint.contacts[c], grids[joint.contacts[c].membrane->field].outline, says);
   }
+  std::vector<bool> only_pushes;
+  for (const auto& [c, says] : rows.list()) only_pushes.push_back(says == Says::normal && joint.contacts[c].on_bed);
   for (const AnchorRow<Dim>& row : joint.held) {
-    last[r++] = row.last();
+    last[std::ssize(only_pushes)] = row.last();
     only_pushes.push_back(row.anchor->line);
   }
   return {last, only_pushes};
@@ -211,7 +212,8 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   }
   for (const AnchorRow<Dim>& anchor : held) rows.rows().add(anchor.row);
   const auto last = last_of(rows, joint, grids);
-  for (const Contact<Dim>& contact : contacts) forget_tractions(*contact.membrane);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (c == 0 || contacts[c].membrane != contacts[c - 1].membrane) forget_tractions(*contacts[c].membrane);
   if (last.second.empty()) return true;
   const SparseRows basis = traction_basis(contacts, grids, rows.list(), held.size()), to_knots = basis.transpose();
   const Drag drag = rows.rows().drag(dt);

@@ -49,7 +49,9 @@ template <int Dim>
 std::vector<std::array<double, Dim - 1>> tractions_along(const std::vector<Contact<Dim>>& contacts,
                                                          const Grids<Dim>& grids) {
   std::vector<std::array<double, Dim - 1>> out(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c)
+  const auto count = std::ssize(contacts);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t c = 0; c < count; ++c)
     if (contacts[c].rubs())
       for (std::size_t k = 0; k < Dim - 1; ++k)
         out[c][k] = last_traction(contacts[c], grids[contacts[c].membrane->field].outline, tangents<Dim>()[k]);

@@ -11,27 +11,25 @@
 namespace geodrop {
 
 template <int Dim>
-Places<Dim>::Places(const Grids<Dim>& grids) : grids_(grids) {
+Places<Dim>::Places(const Grids<Dim>& grids) : grids_(grids), first_(std::numeric_limits<int>::max()) {
   constexpr int reach = 2;  // beyond the boxes of the outlines
-  std::array<int, Dim> last{};
-  first_.fill(std::numeric_limits<int>::max());
-  for (const Grid<Dim>& grid : grids)
-    for (int a = 0; a < Dim && grid.outline.size() > 0; ++a) {
-      first_[a] = std::min(first_[a], grid.outline.first[a] - reach);
-      last[a] = std::max(last[a], grid.outline.first[a] + grid.outline.count[a] + reach);
+  int last = -1;
+  for (const Grid<Dim>& grid : grids) {
+    if (grid.outline.size() == 0) continue;
+    int lowest = 0, highest = 0;
+    for (int a = 0; a < Dim; ++a) {
+      lowest += (grid.outline.first[a] - reach) * grid.layout.stride[a];
+      highest += (grid.outline.first[a] + grid.outline.count[a] + reach) * grid.layout.stride[a];
     }
-  std::size_t size = 1;
-  for (int a = 0; a < Dim; ++a) size *= count_[a] = std::max(0, last[a] - first_[a]);
-  number_.resize(grids.size());
-  for (std::vector<int>& of_field : number_) of_field.assign(size, -1);
+    first_ = std::min(first_, lowest);
+    last = std::max(last, highest);
+  }
+  number_.assign(grids.size(), std::vector<int>(last < first_ ? 0 : last - first_ + 1, -1));
 }
 
 template <int Dim>
 int Places<Dim>::of(int field, int node) {
-  const std::array<int, Dim> at = stored_cell(grids_[field].layout, node);
-  std::size_t place = 0;
-  for (int a = Dim - 1; a >= 0; --a) place = place * count_[a] + at[a] - first_[a];
-  int& number = number_[field][place];
+  int& number = number_[field][node - first_];
   if (number >= 0) return number;
   number = static_cast<int>(list_.size());
   list_.push_back({field, node, std::sqrt(grids_[field].sum[node][3]), held_by_walls(grids_[field].layout, node)});

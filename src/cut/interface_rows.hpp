@@ -32,8 +32,8 @@ class Places {
 
  private:
   const Grids<Dim>& grids_;
-  std::array<int, Dim> first_{}, count_{};  ///< stored nodes that rows may reach: around the outlines
-  std::vector<std::vector<int>> number_;    ///< by field and node of that box
+  int first_;                             ///< flat index of the first node that rows may reach
+  std::vector<std::vector<int>> number_;  ///< by field and node from there on
   std::vector<Place> list_;
 };
 

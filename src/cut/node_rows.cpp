@@ -80,7 +80,7 @@ NodeRows<Dim> sums(std::size_t rows, std::size_t places, F&& f) {
 /// f(row, entry) for all entries, those of one place in the order of rows and on one thread.
 template <int Dim, class F>
 void for_ranges_of_places(const NodeRows<Dim>& E, F&& f) {
-  constexpr int places_at_once = 256;
+  constexpr int places_at_once = 2048;
   const auto places = static_cast<int>(E.places);
 #pragma omp parallel for schedule(dynamic, 1) if (places > places_at_once)
   for (int first = 0; first < places; first += places_at_once)
