@@ -7,6 +7,7 @@
 #include "interface_contacts.hpp"
 #include "interface_rows.hpp"
 #include "traction_basis.hpp"
+#include "traction_solver.hpp"
 
 namespace geodrop {
 
@@ -59,13 +60,6 @@ RawRow<3> along(const Contact<3>& contact, Says says, RawRow<3> normal);
 template <int Dim>
 void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const Grids<Dim>& grids,
            std::vector<Contact<Dim>>& contacts);
-
-/// What the tractions of rows do to the velocities of the rows: S = E K E^T + D, of the nodes' masses within E, the
-/// drag K of pore water (empty: none) and the flow D through the membrane.
-struct System {
-  SparseRows S;
-  Eigen::VectorXd rate;  ///< of the rows without tractions: E K v / dt
-};
 
 /// The system of rows E, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows
 /// ask for velocities after it. by_place: E. velocity_rate: M^1/2 v / dt.
