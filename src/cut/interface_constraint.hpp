@@ -10,7 +10,7 @@
 //
 //   S p = E v / dt,  S = E M^-1 E^T,  rows of E by knots
 //
-// stays symmetric, and all impulses come in pairs. Conjugate gradients, from the pressures of the last step.
+// stays symmetric, and all impulses come in pairs. traction_solver solves it.
 //
 // Where the fluid sticks to the membrane (Shear::no_slip) a second row for each stretch says the same of the velocities
 // along it. Otherwise friction follows: at most mu (p_r - u_r) on a bed, if the membrane names one, u_r the pressure of
