@@ -72,7 +72,7 @@ TEST_CASE("Water: its surface, its speed of sound, a gap below it") {
   CHECK(contains(surface, "at 10 m is not where that fluid ends, 13 m"));
   CHECK(contains(main_case({"bodies.bed.initial_stress.fluid_surface=12.0"}), "bodies.bed.initial_stress"));
   // Water in the pores of a bag ends where the bag does, and has the pressure of that around.
-  for (const char* bag : {"cases/dump_round_container.toml", "cases/dump_kekerdom_3d_bed.toml"})
+  for (const char* bag : {"cases/dump_round_container.toml", "cases/dump_kekerdom_3d.toml"})
     CHECK_FALSE(contains(joined({}, bag), "is not where that fluid ends"));
   CHECK(contains(main_case({"materials.water.sound_speed=20.0"}), "a Mach number of 0.565"));  // sqrt(9.81 * 13) / 20
   const std::string gap = main_case({"bodies.water.shape.lower.1=0.5"});
