@@ -163,9 +163,8 @@ void count_solution(bool converged, double t, ConstraintWatch& watch) {
   watch.unsolved += converged ? 0 : 1;
   if (watch.in_a_row < most_in_a_row) return;
   throw RunError(fmt::format(
-      "the pressures on sharp membranes were not found in {} steps in a row (to 1e-8, in ten sets of rows that push), "
-      "t "
-      "= {:g} s; {} steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are "
+      "the pressures on sharp membranes were not found to 1e-8 in {} steps in a row (ten sets of rows that push), t = "
+      "{:g} s; {} steps so far. Membrane nodes that have run into each other, or a body thinner than a cell, are "
       "common causes",
       watch.in_a_row, t, watch.unsolved));
 }
