@@ -122,7 +122,7 @@ SparseRows mirrored(const UpperRows& upper) {
 }  // namespace
 
 template <int Dim>
-ByPlace<Dim>::ByPlace(const NodeRows<Dim>& E) : rows_(E.rows.size()), begin_(E.places + 1, 0) {
+ByPlace<Dim>::ByPlace(const NodeRows<Dim>& E) : begin_(E.places + 1, 0) {
   for_ranges_of_places(E, [&](std::size_t, const NodeEntry<Dim>& entry) { ++begin_[entry.place + 1]; });
   for (std::size_t place = 0; place < E.places; ++place) begin_[place + 1] += begin_[place];
   entries_.resize(begin_.back());

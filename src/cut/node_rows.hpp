@@ -41,11 +41,9 @@ class ByPlace {
   std::span<const Entry> at(std::size_t place) const {
     return {entries_.data() + begin_[place], entries_.data() + begin_[place + 1]};
   }
-  std::size_t rows() const { return rows_; }
   std::size_t places() const { return begin_.size() - 1; }
 
  private:
-  std::size_t rows_;
   std::vector<std::size_t> begin_;
   std::vector<Entry> entries_;
 };
