@@ -17,7 +17,8 @@ RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, const Contact<Dim>& contact)
   const int field = contact.membrane->field;
   const Grid<Dim>& grid = grids[field];
   std::vector<NodeVector<Dim>> vectors = normals_of(grid, contact);
-  RowsOfContact<Dim> rows{make_row(grids, field, 0, vectors), {}};
+  RowsOfContact<Dim> rows;
+  if (contact.stretch.wet) rows.normal = make_row(grids, field, 0, vectors);
   if (contact.membrane->pore_pressure.empty()) return rows;
   for (NodeVector<Dim>& vector : vectors)
     for (double& value : vector.value) value *= grids[grid.pore_water].pore_share[vector.node];

@@ -116,11 +116,13 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   auto& [contacts, said, held] = joint;
   ContactRows<Dim> rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    contacts[c].joined = rows.add(said[c].normal, c, Says::normal);
-    if (!contacts[c].joined) continue;
-    if (!contacts[c].membrane->pore_pressure.empty()) rows.add(said[c].through, c, Says::through);
-    if (contacts[c].sticks())
-      for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
+    Contact<Dim>& contact = contacts[c];
+    if (contact.stretch.wet) contact.joined = rows.add(said[c].normal, c, Says::normal);
+    const bool holds = contact.joined || !contact.stretch.wet;
+    const bool tight = holds && !contact.membrane->pore_pressure.empty() && rows.add(said[c].through, c, Says::through);
+    contact.has_rows = contact.joined || tight;
+    if (!contact.joined || !contact.sticks()) continue;
+    for (const Says says : tangents<Dim>()) rows.add(along(contact, says, said[c].normal), c, says);
   }
   for (const AnchorRow<Dim>& anchor : held) rows.rows().add(anchor.row);
   const auto last = last_of(rows, joint, grids);

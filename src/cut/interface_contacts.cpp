@@ -209,6 +209,7 @@ double permeance_over(const Outline<Dim>& cells, const Contact<Dim>& contact) {
 /// What is beside a stretch.
 template <int Dim>
 void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
+  if (!contact.stretch.wet) return;
   const Membrane<Dim>& membrane = *contact.membrane;
   if (!membrane.bed.empty()) look_for_bed(grids.front(), cells, bed, contact);
   const bool has_axes = Dim == 3 && (contact.rubs() || contact.sticks());
@@ -296,7 +297,7 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
     if (!acts_sharply(membrane)) continue;
     const Outline<Dim>& cells = grids[membrane.field].outline;
     const std::size_t first = contacts.size();
-    for (const Stretch& stretch : wet_stretches(around, membrane, cells)) contacts.push_back({&membrane, stretch});
+    for (const Stretch& stretch : stretches_of(around, membrane, cells)) contacts.push_back({&membrane, stretch});
     const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
     for (std::size_t c = first; c < contacts.size(); ++c) look_beside(grids, cells, bed, contacts[c]);
   }

@@ -25,6 +25,7 @@ struct Contact {
   double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
   double permeance = 0;      ///< of the membrane at its strain there [m/(s Pa)]
   bool joined = false;       ///< both sides have mass there
+  bool has_rows = false;     ///< it is joined, or holds the water in the pores inside
   double pressure = 0;       ///< [Pa]
   double velocity = -1;      ///< of slipping, at a distance from the membrane [m/s]; < 0: not known there
   double distance = 0;       ///< that one [m]
@@ -75,7 +76,7 @@ void forget_tractions(Membrane<Dim>& membrane);
 template <int Dim>
 double permeance_of(const Membrane<Dim>& membrane, std::size_t segment);
 
-/// The wet stretches of all sharp membranes. Soil that a membrane slides over is for the plane.
+/// The stretches of all sharp membranes. Soil that a membrane slides over is for the plane.
 template <int Dim>
 std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& grids);
 

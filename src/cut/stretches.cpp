@@ -47,7 +47,7 @@ bool ends_fold(const Membrane<2>& membrane, const CutCells& cells, const Stretch
 
 }  // namespace
 
-std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells) {
+std::vector<Stretch> stretches_of(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells) {
   const auto& pieces = cells.pieces;
   const std::size_t n = pieces.size();
   const auto wet = [&](std::size_t k) { return is_wet(around, flat_of(around.layout, cells, pieces[k].cell)); };
@@ -65,11 +65,12 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
       length += cells_along(around.layout, membrane, cells, pieces[(start + k) % n]);
     }
     const double width = least_width(around.layout, flat_of(around.layout, cells, pieces[at].cell));
-    if (!wet(at) || ends_fold(membrane, cells, visit, width)) {
+    visit.wet = wet(at);
+    if ((!visit.wet && membrane.pore_pressure.empty()) || ends_fold(membrane, cells, visit, width)) {
       open = false;
       continue;
     }
-    if (open && (length < least_length || last_length < least_length)) {
+    if (open && visit.wet == stretches.back().wet && (length < least_length || last_length < least_length)) {
       stretches.back().count += visit.count;
       stretches.back().size += visit.size;
       last_length += length;
@@ -82,12 +83,14 @@ std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& mem
   return stretches;
 }
 
-std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>&, const ClippedSurface& cells) {
+std::vector<Stretch> stretches_of(const Grid<3>& around, const Membrane<3>& membrane, const ClippedSurface& cells) {
   const double h2 = around.layout.h * around.layout.h;
   std::vector<Stretch> stretches;
-  for (const ClippedSurface::Patch& patch : cells.patches)
-    if (is_wet(around, flat_of(around.layout, cells, cells.flanks[patch.first_flank].cell)))
-      stretches.push_back({patch.first_flank, patch.flanks, patch.area * h2});
+  for (const ClippedSurface::Patch& patch : cells.patches) {
+    const bool wet = is_wet(around, flat_of(around.layout, cells, cells.flanks[patch.first_flank].cell));
+    if (wet || !membrane.pore_pressure.empty())
+      stretches.push_back({patch.first_flank, patch.flanks, patch.area * h2, wet});
+  }
   return stretches;
 }
 

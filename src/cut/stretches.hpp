@@ -18,11 +18,13 @@ namespace geodrop {
 struct Stretch {
   std::size_t first = 0, count = 0;
   double size = 0;  ///< length or area [m, m2]
+  bool wet = true;  ///< see wet_cells; else other bodies touch the membrane there, or nothing
 };
 
-/// The stretches of an outline that has something beside it. Two flanks in one cell are two stretches.
-std::vector<Stretch> wet_stretches(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells);
-std::vector<Stretch> wet_stretches(const Grid<3>& around, const Membrane<3>& membrane, const ClippedSurface& cells);
+/// The stretches of an outline: the wet ones, and the dry ones where water in the pores inside has to be held. Two
+/// flanks in one cell are two stretches.
+std::vector<Stretch> stretches_of(const Grid<2>& around, const Membrane<2>& membrane, const CutCells& cells);
+std::vector<Stretch> stretches_of(const Grid<3>& around, const Membrane<3>& membrane, const ClippedSurface& cells);
 
 /// f(piece) for the pieces of a stretch.
 template <class F>

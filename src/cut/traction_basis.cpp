@@ -164,7 +164,7 @@ std::vector<Run> runs_of(const Grid<2>& grid, const std::vector<Contact<2>>& con
   const auto after = [&](std::size_t c) { return c + 1 < last ? c + 1 : first; };
   const auto goes_on = [&](std::size_t c) {
     const Contact<2>&one = contacts[c], &next = contacts[after(c)];
-    return one.joined && next.joined && one.on_bed == next.on_bed &&
+    return one.has_rows && next.has_rows && one.stretch.wet == next.stretch.wet && one.on_bed == next.on_bed &&
            (one.stretch.first + one.stretch.count) % pieces == next.stretch.first;
   };
   std::size_t start = first, last_of_run = first;
@@ -174,7 +174,7 @@ std::vector<Run> runs_of(const Grid<2>& grid, const std::vector<Contact<2>>& con
   std::vector<Run> runs;
   bool open = false;
   for (std::size_t k = 0, c = start; k < n; ++k, c = after(c)) {
-    if (contacts[c].joined) {
+    if (contacts[c].has_rows) {
       if (!open) runs.emplace_back();
       append(grid, contacts, c, runs.back());
     }

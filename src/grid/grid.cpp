@@ -168,13 +168,14 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
   const bool cells = shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
+  const bool by_cells = cells && scene.solver.weight == Weight::cell;
   const bool pores = any_pores(scene);
   unsigned wanted = grid_role::for_all;
   const auto want = [&](unsigned role, bool needed) { wanted |= needed ? role : 0; };
   // Contacts and membranes push on the outermost nodes, which carry little: their impulses have to go to their
   // neighbourhood.
   want(grid_role::for_light, change || !scene.contacts.empty() || !scene.membranes.empty() ||
-                                 has_sharp_interface(scene) || pores || (Dim == 3 && shift));
+                                 has_sharp_interface(scene) || pores || (Dim == 3 && (shift || by_cells)));
   want(grid_role::for_change, change);
   want(grid_role::for_consistent, consistent);
   want(grid_role::for_cells, cells);

@@ -48,7 +48,7 @@ struct WetBall {
     clip_surface(grids[0].layout, membrane, outline);
     grids[0].cell_volume.assign(grids[0].layout.nodes(), 1.0);
     grids[0].taken.assign(grids[0].layout.nodes(), 0.0);
-    for (const Stretch& stretch : wet_stretches(grids[0], membrane, outline)) {
+    for (const Stretch& stretch : stretches_of(grids[0], membrane, outline)) {
       contacts.push_back({&membrane, stretch, &knots});
       rows.push_back({contacts.size() - 1, Says::normal});
     }

@@ -19,7 +19,7 @@ SharpBox full(const Corners& at = {}, Sense sense = Sense::anticlockwise) {
 }
 
 std::vector<Stretch> stretches_of(SharpBox& box) {
-  return wet_stretches(box.around(), box.skin(), box.inside().outline);
+  return geodrop::stretches_of(box.around(), box.skin(), box.inside().outline);
 }
 
 /// Lengths and pieces of all stretches.

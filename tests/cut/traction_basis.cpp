@@ -42,10 +42,10 @@ struct Bag {
     box.fill_cells();
     contacts.clear();
     rows.clear();
-    for (const Stretch& stretch : wet_stretches(box.around(), box.skin(), outline()))
+    for (const Stretch& stretch : stretches_of(box.around(), box.skin(), outline()))
       contacts.push_back({&box.skin(), stretch});
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      contacts[c].joined = true;
+      contacts[c].joined = contacts[c].has_rows = true;
       rows.push_back({c, Says::normal});
     }
   }

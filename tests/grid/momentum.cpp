@@ -3,6 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numeric>
+#include <type_traits>
+
 #include "grid/neighbourhood.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
@@ -182,34 +186,47 @@ TEST_CASE("On graded axes a node is light by what its own spline holds") {
   CHECK(grid.velocity[node][0] == near(dt / own, 0.0015));
 }
 
-TEST_CASE("Weight by cells: the volume of filled cells is weighed, not the particles; elsewhere the particles are") {
+TEST_CASE_TEMPLATE(
+    "Weight by cells: the volume of filled cells is weighed, not the particles; elsewhere the particles are", Dim,
+    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+  constexpr int dim = Dim::value;
   constexpr double g = -10;
-  Grid<2> grid = make_grid<2>(box_scene<2>(10, 0.5, WallKind::slip, Transfer::blend));
+  Scene scene = box_scene<dim>(10, 0.5, WallKind::slip, Transfer::tpic);
+  scene.solver.weight = Weight::cell;
+  Grid<dim> grid = make_grid<dim>(scene);
   activate_all_blocks(grid);
   constexpr int surface = 7;  // the first row of cells without particles
-  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
-    const double crowd = (i[0] + i[1]) % 2 == 0 ? 1.2 : 0.9;
-    const double volume = crowd * node_measure<2>(grid, stored_cell(grid.layout, flat));
-    grid.sum[flat][2] = volume;
+  const auto crowd_at = [](const std::array<int, dim>& i) {
+    return std::accumulate(i.begin(), i.end(), 0) % 2 == 0 ? 1.2 : 0.9;
+  };
+  for_each_node(grid.layout, 0, [&](int flat, const std::array<int, dim>& i) {
+    const double volume = crowd_at(i) * node_measure<dim>(grid, stored_cell(grid.layout, flat));
+    (dim == 2 ? grid.sum[flat][2] : grid.force[flat][3]) = volume;
     grid.sum[flat][3] = 1000 * volume;
-    grid.cell_volume[flat] = i[1] < surface ? 0.25 : 0.0;
-    grid.cell_flags[flat] = i[1] < surface ? cell_filled : 0;
+    grid.cell_volume[flat] = i[dim - 1] < surface ? std::pow(0.5, dim) : 0.0;
+    grid.cell_flags[flat] = i[dim - 1] < surface ? cell_filled : 0;
   });
+  std::array<double, dim> gravity{};
+  gravity[dim - 1] = g;
   const auto check = [&](Weight weight, auto&& expected) {
-    update_momentum<2>(grid, {0, g}, dt, weight);
-    for_each_node(grid.layout, 0, [&](int flat, const std::array<int, 2>& i) {
-      if (i[1] == 0 || i[1] == 10) return;  // held by a wall
-      const double crowd = (i[0] + i[1]) % 2 == 0 ? 1.2 : 0.9;
-      CHECK(grid.velocity[flat][1] == near(expected(i, crowd) * dt * g, 1e-12));
+    update_momentum<dim>(grid, gravity, dt, weight);
+    for_each_node(grid.layout, 0, [&](int flat, const std::array<int, dim>& i) {
+      if (i[dim - 1] == 0 || i[dim - 1] == 10) return;  // held by a wall
+      CHECK(grid.velocity[flat][dim - 1] == near(expected(i) * dt * g, 1e-12));
     });
   };
-  check(Weight::particle, [](const auto&, double) { return 1.0; });
+  check(Weight::particle, [](const auto&) { return 1.0; });
   // The cells in reach of a node are those of its own number and of one below and above.
-  const auto by_cells = [](const auto& i, double crowd) { return i[1] < surface - 1 ? 1 / crowd : 1.0; };
+  const auto by_cells = [&](const auto& i) { return i[dim - 1] < surface - 1 ? 1 / crowd_at(i) : 1.0; };
   check(Weight::cell, by_cells);
-  grid.taken.assign(grid.cell_volume.size(), 0.0);  // part of a cell is across a sharp interface
-  grid.taken[grid.layout.index({5, 3})] = 0.1;
-  check(Weight::cell, [&](const auto& i, double crowd) {
-    return std::abs(i[0] - 5) <= 1 && std::abs(i[1] - 3) <= 1 ? 1.0 : by_cells(i, crowd);
+  std::array<int, dim> across;  // a cell with a part across a sharp interface
+  across.fill(5);
+  across[dim - 1] = 3;
+  grid.taken.assign(grid.cell_volume.size(), 0.0);
+  grid.taken[grid.layout.index(across)] = 0.1;
+  check(Weight::cell, [&](const auto& i) {
+    for (int a = 0; a < dim; ++a)
+      if (std::abs(i[a] - across[a]) > 1) return by_cells(i);
+    return 1.0;
   });
 }
