@@ -193,6 +193,7 @@ TEST_CASE_TEMPLATE(
   constexpr double g = -10;
   Scene scene = box_scene<dim>(10, 0.5, WallKind::slip, Transfer::tpic);
   scene.solver.weight = Weight::cell;
+  scene.bodies[0].shift = false;
   Grid<dim> grid = make_grid<dim>(scene);
   activate_all_blocks(grid);
   constexpr int surface = 7;  // the first row of cells without particles
