@@ -96,7 +96,7 @@ double neo_hookean_wave_modulus(const NeoHookean& law, const Gradient<Dim, doubl
   return law.lame_lambda * (1 - log(J)) + law.shear_modulus * (1 + largest_stretch_squared<Dim>(F));
 }
 
-/// D_max / d of step/stiffest_mode.hpp [Pa]: the second variation of the energy for a gradient L of increments of the
+/// D_max / d of grid/stiffest_mode.hpp [Pa]: the second variation of the energy for a gradient L of increments of the
 /// displacement is lambda (tr L)^2 + (mu - lambda ln J) tr(L L) + mu tr(L b L^T) per reference volume.
 template <int Dim>
 double neo_hookean_stiffest_mode(const NeoHookean& law, const Gradient<Dim, double>& F, double J) {

@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "grid/bases.hpp"
+#include "grid/stiffest_mode.hpp"
 #include "materials/neo_hookean.hpp"
-#include "step/stiffest_mode.hpp"
 #include "support/near.hpp"
 #include "support/random_particles.hpp"
 
