@@ -10,7 +10,7 @@ namespace {
 
 /// The part of an edge below a level, empty (from = to) if none is.
 EdgePressure wet_part(double start, double end, double surface, double unit_weight) {
-  const auto pressure = [&](double share) { return -unit_weight * (surface - (start + share * (end - start))); };
+  const auto pressure = [&](double share) { return unit_weight * (surface - (start + share * (end - start))); };
   double from = 0, to = 1;
   if (start > surface && end > surface) return {0, 0, 0, 0};
   if (start > surface) from = (start - surface) / (start - end);
@@ -43,8 +43,9 @@ void add_pressure(const EdgePressure& pressure, double sense, std::size_t k, Mem
 std::vector<StillFluid> still_fluids(const Scene& scene) {
   std::vector<StillFluid> fluids;
   for (const StillFluidSpec& spec : scene.still_fluids) {
-    const double density = reference_density(make_material(*find_material(scene, spec.fluid)));
-    fluids.push_back({spec.membrane, -scene.gravity[1] * density, spec.surface});
+    const double weight = -scene.gravity.back() * reference_density(make_material(*find_material(scene, spec.fluid)));
+    const double sense = spec.side == StillFluidSpec::Side::inside ? 1 : -1;
+    fluids.push_back({spec.membrane, sense * weight, spec.surface});
   }
   return fluids;
 }

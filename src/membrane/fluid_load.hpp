@@ -21,15 +21,15 @@ struct EdgePressure {
 /// Adds its resultant, int p N dl n with N linear along the edge, to the ends of edge k.
 void add_pressure(const EdgePressure& pressure, double sense, std::size_t k, Membrane<2>& membrane);
 
-/// Fluid at rest outside of a closed membrane.
+/// Fluid at rest on one side of a closed membrane: p = gamma (surface - y) below its surface, outwards if it is inside.
 struct StillFluid {
   std::string membrane;
-  double unit_weight;  ///< gamma [N/m3]
+  double unit_weight;  ///< gamma [N/m3]; negative: from outside
   double surface;      ///< level [m]
 };
 std::vector<StillFluid> still_fluids(const Scene& scene);
 
-/// Adds the pressure of fluids around membranes, gamma (surface - y) inwards below their surfaces.
+/// Adds the pressure of fluids around membranes below their surfaces.
 void add_still_fluids(const std::vector<StillFluid>& fluids, State<2>& state);
 
 }  // namespace geodrop

@@ -38,8 +38,8 @@ Row<Dim> clear_loads_row(const Scene& scene) {
 Row<3> surface_pressure_row(const Scene& scene) {
   return {"surface_pressure", Data::membranes | Data::membrane_position, Data::membrane_load,
           any_surface_pressure(scene),
-          [columns = still_columns(scene)](State<3>& s, const Grids<3>&, const StepContext&) {
-            add_surface_pressure(columns, s);
+          [fluids = still_fluids(scene)](State<3>& s, const Grids<3>&, const StepContext&) {
+            add_surface_pressure(fluids, s);
           }};
 }
 

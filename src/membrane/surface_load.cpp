@@ -55,11 +55,11 @@ std::array<double, 3> depths(double level, const Membrane<3>& membrane, std::siz
   return depth;
 }
 
-void add_column(const StillColumn& column, Membrane<3>& membrane) {
+void add_column(const StillFluid& fluid, Membrane<3>& membrane) {
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
-    const std::array<double, 3> depth = depths(column.level, membrane, t);
+    const std::array<double, 3> depth = depths(fluid.surface, membrane, t);
     if (std::all_of(depth.begin(), depth.end(), [](double d) { return d <= 0; })) continue;
-    add_load(shares_of_load(wet_part(depth), column.unit_weight), t, membrane);
+    add_load(shares_of_load(wet_part(depth), fluid.unit_weight), t, membrane);
   }
 }
 
@@ -76,24 +76,14 @@ void add_weight(double unit_weight, double level, Membrane<3>& membrane) {
     add_load(shares_of_load(whole(depths(level, membrane, t)), unit_weight), t, membrane);
 }
 
-std::vector<StillColumn> still_columns(const Scene& scene) {
-  std::vector<StillColumn> columns;
-  for (const StillFluidSpec& spec : scene.still_fluids) {
-    const double weight = -scene.gravity[2] * reference_density(make_material(*find_material(scene, spec.fluid)));
-    const double sense = spec.side == StillFluidSpec::Side::inside ? 1 : -1;
-    columns.push_back({spec.membrane, sense * weight, spec.surface});
-  }
-  return columns;
-}
-
-void add_surface_pressure(const std::vector<StillColumn>& columns, State<3>& state) {
+void add_surface_pressure(const std::vector<StillFluid>& fluids, State<3>& state) {
   for (Membrane<3>& membrane : state.membranes) {
     if (membrane.load[0].empty() || membrane.field == waiting) continue;
     const double even = membrane.triangles.gauge_pressure / 3;
     for (std::size_t t = 0; even != 0 && t < membrane.triangles.size(); ++t)
       add_load(Eigen::Vector3d::Constant(even), t, membrane);
-    for (const StillColumn& column : columns)
-      if (column.membrane == membrane.name) add_column(column, membrane);
+    for (const StillFluid& fluid : fluids)
+      if (fluid.membrane == membrane.name) add_column(fluid, membrane);
   }
 }
 
