@@ -27,7 +27,8 @@ template Row<2> eddy_length_row<2>(const Scene&);
 template Row<3> eddy_length_row<3>(const Scene&);
 
 Row<2> silent_sides_row(const Scene& scene) {
-  return {"silent_sides", Data::position, Data::absorbing_layers | Data::velocity | Data::mass | Data::volume_ratio,
+  return {"silent_sides", Data::position,
+          Data::absorbing_layers | Data::velocity | Data::mass | Data::volume_ratio | Data::energy_budget,
           !scene.silent_sides.empty(), [](State<2>& s, const Grids<2>& f, const StepContext& step) {
             fade_at_silent_sides(f.front().layout, step.dt, s);
           }};

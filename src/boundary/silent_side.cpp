@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fixed_order_sum.hpp"
+#include "state/energy_gain.hpp"
+
 namespace geodrop {
 namespace {
 
@@ -30,6 +33,12 @@ struct Layer {
   }
   double excess_pressure(std::size_t p) const {
     return fluid.bulk_modulus * (1 / body.J[p] - 1) - still_pressure_at(p);
+  }
+  /// `times` the energy of a particle.
+  EnergyGain energy(std::size_t p, double times) const {
+    const double u = body.v[x_axis][p], v = body.v[y_axis][p], mass = times * body.mass[p];
+    const double pressed = fluid_energy(fluid, body.J[p], body.gas_at(p)) / fluid.density;
+    return {mass * (0.5 * (u * u + v * v) + pressed), mass * side.gravity * body.x[y_axis][p]};
   }
 };
 
@@ -86,14 +95,14 @@ void advance_rows(const Array<double>& excess, double dt, const Layer& layer, Si
   }
 }
 
-void fade(const GridLayout<2>& layout, double dt, const Layer& layer) {
+/// Returns what the particles in the layer have gained.
+EnergyGain fade(const GridLayout<2>& layout, double dt, const Layer& layer) {
   Body<2>& body = layer.body;
   const SilentSide& side = layer.side;
-  const auto n = static_cast<std::ptrdiff_t>(body.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t p = 0; p < n; ++p) {
+  return fixed_order_sum<EnergyGain>(body.size(), [&](EnergyGain& gained, std::size_t p) {
     const double depth = layer.depth(p);
-    if (depth <= 0) continue;
+    if (depth <= 0) return;
+    gained += layer.energy(p, -1);
     const double lost = -std::expm1(-side.rate * depth * depth * dt);
     const Rows rows = rows_at(layout, body.x[y_axis][p]);
     body.v[x_axis][p] += lost * (side.outward * between(side.flow, rows) - body.v[x_axis][p]);
@@ -101,7 +110,8 @@ void fade(const GridLayout<2>& layout, double dt, const Layer& layer) {
     const double at_rest = layer.still_pressure_at(p) + between(side.lasting, rows), J = body.J[p];
     body.J[p] += lost * (1 / (1 + at_rest / layer.fluid.bulk_modulus) - J);
     body.mass[p] *= J / body.J[p];
-  }
+    gained += layer.energy(p, 1);
+  });
 }
 
 }  // namespace
@@ -130,7 +140,7 @@ void fade_at_silent_sides(const GridLayout<2>& layout, double dt, State<2>& stat
     if (body.field == waiting) continue;
     const Layer layer{side, std::get<Newtonian>(body.material), body};
     advance_rows(excess_of_rows(layout, layer), dt, layer, side);
-    fade(layout, dt, layer);
+    give(fade(layout, dt, layer), state.energy_budget);
   }
 }
 

@@ -28,7 +28,8 @@ namespace geodrop {
 
 SilentSide make_silent_side(const Scene& scene, const SilentSideSpec& spec);
 
-/// Advances the water beyond and the pressures at rest, then lets the particles in the layers fade, by one step.
+/// Advances the water beyond and the pressures at rest, then lets the particles in the layers fade, by one step. What
+/// they gain in all, mostly nothing, joins the energy budget.
 void fade_at_silent_sides(const GridLayout<2>& layout, double dt, State<2>& state);
 
 }  // namespace geodrop

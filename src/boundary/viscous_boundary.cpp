@@ -106,6 +106,18 @@ Vec<Dim> yielding_traction(const ViscousBoundary<Dim>& boundary, std::size_t poi
 }
 
 template <int Dim>
+double boundary_potential(const State<Dim>& state) {
+  double potential = 0;
+  for (const ViscousBoundary<Dim>& boundary : state.viscous_boundaries)
+    for (std::size_t k = 0; k < boundary.points(); ++k) {
+      const Vec<Dim> u = vector_at(boundary.moved, k);
+      const double u_n = Vec<Dim>(boundary.normal.data()).dot(u);
+      potential += boundary.length * (0.5 * boundary.spring * u_n * u_n - vector_at(boundary.at_start, k).dot(u));
+    }
+  return potential;
+}
+
+template <int Dim>
 void boundaries_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt) {
   const bool separate = !grid.force.empty();
   Array<Vec4>& target = separate ? grid.force : grid.sum;
@@ -139,6 +151,7 @@ void grid_to_boundaries(State<Dim>& state, const Grid<Dim>& grid, double dt) {
 
 #define GEODROP_INSTANTIATE(D)                                                  \
   template Vec<D> yielding_traction<D>(const ViscousBoundary<D>&, std::size_t); \
+  template double boundary_potential<D>(const State<D>&);                       \
   template void boundaries_to_grid<D>(const State<D>&, Grid<D>&, double);       \
   template void grid_to_boundaries<D>(State<D>&, const Grid<D>&, double);
 GEODROP_INSTANTIATE(2)

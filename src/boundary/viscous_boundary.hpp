@@ -27,6 +27,11 @@ ViscousBoundary<2> make_viscous_boundary(const Scene& scene, const ViscousBounda
 template <int Dim>
 Vec<Dim> yielding_traction(const ViscousBoundary<Dim>& boundary, std::size_t point);
 
+/// sum l (k u_n^2 / 2 - t_0 . u) [J]: what the springs hold and the pushes of the start have not yet given. Dashpots
+/// only take.
+template <int Dim>
+double boundary_potential(const State<Dim>& state);
+
 /// Adds the forces of all points to the grid.
 template <int Dim>
 void boundaries_to_grid(const State<Dim>& state, Grid<Dim>& grid, double dt);

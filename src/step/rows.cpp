@@ -47,11 +47,10 @@ Row<Dim> out_of_balance_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> pumps_row(const Scene& scene) {
-  return {"pumps", Data::time | Data::position, Data::mass | Data::volume_ratio | Data::relaxation,
-          !scene.pumps.empty(),
-          [pumps = scene.pumps, gravity = scene.gravity](State<Dim>& s, const Grids<Dim>&, const StepContext& step) {
-            pump_fluid(pumps, gravity, step, s);
-          }};
+  return {"pumps", Data::time | Data::position | Data::velocity,
+          Data::mass | Data::volume_ratio | Data::relaxation | Data::energy_budget, !scene.pumps.empty(),
+          [pumps = scene.pumps, gravity = energy_sources(scene).gravity](
+              State<Dim>& s, const Grids<Dim>&, const StepContext& step) { pump_fluid(pumps, gravity, step, s); }};
 }
 
 template <int Dim>
@@ -69,10 +68,11 @@ template <int Dim>
 Row<Dim> energy_watch_row(const Scene& scene) {
   return {"energy_watch",
           Data::mass | Data::position | Data::velocity | Data::volume_ratio | Data::stress | Data::material_state |
-              Data::membrane_tension | Data::contacts,
-          Data::energy_budget, watches_energy(scene) && driven_bodies<Dim>(scene).empty(),
-          [gravity = scene.gravity, h = scene.grid.spacing](State<Dim>& s, const Grids<Dim>&, const StepContext& step) {
-            watch_energy(gravity, h, step, s);
+              Data::membranes | Data::membrane_position | Data::membrane_tension | Data::contacts |
+              Data::viscous_boundaries,
+          Data::energy_budget, driven_bodies<Dim>(scene).empty(),
+          [sources = energy_sources(scene)](State<Dim>& s, const Grids<Dim>&, const StepContext& step) {
+            watch_energy(sources, step, s);
           }};
 }
 

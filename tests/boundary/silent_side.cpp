@@ -2,6 +2,7 @@
 #include "boundary/silent_side.hpp"
 
 #include <doctest/doctest.h>
+#include <geodrop/measure/measure.hpp>
 #include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
@@ -105,4 +106,21 @@ TEST_CASE("The water beyond is driven by the pressure at the inner edge, outward
     if (y > 1 && y < 14)
       CHECK(pond.water().v[0][p] == within((x > 0 ? 0.1 : -0.1) * (1 - dt / 2) * pond.share_at(x), 1e-15));
   }
+}
+
+TEST_CASE("What the water gains in the layers joins the energy budget; what it loses is its height alone") {
+  Pond pond;
+  const auto given_over_gained = [&] {
+    const Totals<2> was = measure(pond.state, pond.scene.gravity);
+    const double before = pond.state.energy_budget.potential;
+    pond.step();
+    const Totals<2> is = measure(pond.state, pond.scene.gravity);
+    const double height = is.potential - was.potential;
+    return (pond.state.energy_budget.potential - before - height) / (is.energy() - was.energy() - height);
+  };
+  for (double& v : pond.water().v[0]) v = 0.5;
+  CHECK(std::abs(given_over_gained()) < 1e-6);
+  pond.press(-5000);  // water comes in from beyond
+  for (double& v : pond.water().v[0]) v = 0;
+  CHECK(given_over_gained() == near(1, 1e-4));
 }

@@ -177,3 +177,18 @@ TEST_CASE("Under water the edge bears skeleton and pore water together") {
   const double K = 3.6e6, above = K * std::expm1(1000 * 9.81 * 3 / K);
   CHECK(b.at_start[1][0] == near(1800 * 9.81 * 2 + above, 1e-12));
 }
+
+TEST_CASE("At rest the slope of the potential over the displacement is the push and the spring on the edge") {
+  ViscousBoundary<2> boundary = slanted_edge();
+  for (auto& component : boundary.v) component.assign(2, 0.0);
+  for (int a = 0; a < 2; ++a) {
+    constexpr double off = 1e-3;
+    const auto at = [&](double by) {
+      ViscousBoundary<2> moved = boundary;
+      moved.moved[a][0] += by;
+      return boundary_potential(state_with(moved));
+    };
+    const double push = boundary.at_start[a][0] + yielding_traction(boundary, 0)[a];
+    CHECK(-(at(off) - at(-off)) / (2 * off) == near(boundary.length * push, 1e-9));
+  }
+}

@@ -22,11 +22,11 @@ bool goes_on(double speed, double fall) {
   Body<2>& stone = state.bodies[0];
   stone.mass[0] = 2;
   stone.x[1][0] = 5;
-  watch_energy(gravity, h, {dt, 0.0, 0}, state);
+  watch_energy({gravity, h}, {dt, 0.0, 0}, state);
   stone.x[1][0] -= fall;
   stone.v[0][0] = speed;
   try {
-    watch_energy(gravity, h, {dt, 0.5, energy_watch_interval}, state);
+    watch_energy({gravity, h}, {dt, 0.5, energy_watch_interval}, state);
   } catch (const RunError&) {
     return false;
   }

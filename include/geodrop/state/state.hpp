@@ -270,8 +270,8 @@ struct EnergyBudget {
   std::uint64_t stages = 0;  ///< that had been entered when it began
   double t = 0;              ///< of the last look, when all was in order [s]
   double held = 0;           ///< in motion and strain when it began
-  double potential = 0;      ///< in gravity, when it began
-  double fallen = 0;         ///< largest work of gravity since
+  double potential = 0;      ///< in loads when it began, and all that came from outside since
+  double fallen = 0;         ///< largest loss of potential since, with what came
   double driven = 0;         ///< by the motion of rigid bodies, when it began
 };
 
