@@ -1,6 +1,8 @@
 // What contacts and rigid bodies give to the limit of the time step.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
