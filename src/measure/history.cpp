@@ -111,18 +111,16 @@ void list_across(HistoryRow& row, const Scene& scene, const State<Dim>* state) {
 /// Of sharp membranes.
 void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
   constexpr double skin = 0.01;  // strays no deeper than this do not count [cells]
-  PoreWaters pore_waters;
-  for (const BodySpec& soil : scene.bodies)
-    if (!soil.saturated_by.empty()) pore_waters[soil.name] = soil.saturated_by;
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     if (scene.membranes[m].interface != Interface::sharp) continue;
     const std::string& name = scene.membranes[m].name;
+    const std::string& pore_water = find_body(scene, scene.membranes[m].body)->saturated_by;
     const WaterForce force = state ? water_force(state->membranes[m]) : WaterForce{};
     row.add_vector(name + ".pressure_force", "N_m", force.pressure, 2);
     row.add_vector(name + ".friction_force", "N_m", force.friction, 2);
     if (scene.membranes[m].permittivity > 0) row.add(name + ".seepage_m2_s", state ? seepage(state->membranes[m]) : 0);
     row.add(name + ".strays_m2",
-            state ? strays_inside(*state, state->membranes[m], pore_waters, skin * scene.grid.spacing) : 0);
+            state ? strays_inside(*state, state->membranes[m], pore_water, skin * scene.grid.spacing) : 0);
   }
 }
 void list_sharp(HistoryRow& row, const Scene& scene, const State<3>* state) {

@@ -27,28 +27,21 @@ bool is_inside(const Membrane<2>& membrane, const Vec<2>& x) {
   return winding_number(membrane.x[0], membrane.x[1], x) != 0;
 }
 
-/// That which a body is inside of, or null.
-const Membrane<2>* own_membrane(const State<2>& state, const std::string& body, const PoreWaters& pore_waters) {
-  const auto own = std::find_if(state.membranes.begin(), state.membranes.end(), [&](const Membrane<2>& membrane) {
-    const auto water = pore_waters.find(membrane.body);
-    return membrane.body == body || (water != pore_waters.end() && water->second == body);
-  });
-  return own == state.membranes.end() ? nullptr : &*own;
-}
-
 }  // namespace
 
-double strays_inside(const State<2>& state, const Membrane<2>& membrane, const PoreWaters& pore_waters, double skin) {
+double strays_inside(const State<2>& state, const Membrane<2>& membrane, const std::string& pore_water, double skin) {
   const MembraneMeasures<2> around = measure(membrane);
   double volume = 0;
   for (const Body<2>& body : state.bodies) {
-    const Membrane<2>* const own = own_membrane(state, body.name, pore_waters);
-    if (own == &membrane || body.field == waiting) continue;
+    if (body.name == membrane.body || body.name == pore_water || body.field == waiting) continue;
     volume += fixed_order_sum<double>(body.size(), [&](double& sum, std::size_t p) {
       const Vec<2> x = vector_at(body.x, p);
       const bool in_box = (x.array() > around.lower.array()).all() && (x.array() < around.upper.array()).all();
-      if (in_box && is_inside(membrane, x) && !(distance_from(membrane, x) < skin) && !(own && is_inside(*own, x)))
-        sum += body.volume(p);
+      if (!in_box || !is_inside(membrane, x) || distance_from(membrane, x) < skin) return;
+      const bool in_overlap = std::any_of(state.membranes.begin(), state.membranes.end(), [&](const auto& other) {
+        return &other != &membrane && other.closed && is_inside(other, x);
+      });
+      if (!in_overlap) sum += body.volume(p);
     });
   }
   return volume;
