@@ -24,7 +24,7 @@ TEST_CASE("A second container lands on the first one and lies on it") {
   REQUIRE(run.outcome().code == 0);
   CHECK(run.result("time_to_touch_s") > 1.5);
   const double first = run.column("first.position_y_m").back(), second = run.column("second.position_y_m").back();
-  CHECK(second - first > 1);
+  CHECK(second - first > 0.9);  // both lie flat, about a metre high
   CHECK(std::abs(run.column("second.velocity_y_m_s").back()) < 0.5);
   CHECK(run.result("strays_m2") == 0);
 }

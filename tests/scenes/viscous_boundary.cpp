@@ -39,7 +39,7 @@ TEST_CASE("The share does not depend on where the edge lies in a cell, nor on ho
   for (const std::vector<std::string>& changes : {std::vector<std::string>{"grid.lower.1=-2.1", "grid.upper.1=20.9"},
                                                   {"grid.basis=gimp"},
                                                   {"bodies.column.particles_per_cell_axis=3"},
-                                                  {"solver.courant=0.9"},
+                                                  {"solver.courant=0.55"},
                                                   {"bodies.column.pressure=cell", "bodies.top.pressure=cell"},
                                                   {"grid.refine=[{axis='y',from=-0.5,to=2.0,spacing=0.125}]"}}) {
     const Reflected reflected(changes);
