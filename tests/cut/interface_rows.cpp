@@ -18,8 +18,8 @@ SharpBox full(const Corners& at = {}, Sense sense = Sense::anticlockwise) {
   return box;
 }
 
-std::vector<Stretch> stretches_of(SharpBox& box) {
-  return geodrop::stretches_of(box.around(), box.skin(), box.inside().outline);
+std::vector<Stretch> stretches_along(SharpBox& box) {
+  return stretches_of(box.around(), box.skin(), box.inside().outline);
 }
 
 /// Lengths and pieces of all stretches.
@@ -58,7 +58,7 @@ bool add(Rows<2>& rows, const SharpBox& box, int field, int other, const std::ve
 TEST_CASE("Stretches run from cell to cell, all round a wet outline") {
   for (const Sense sense : {Sense::anticlockwise, Sense::clockwise}) {
     SharpBox box = full({}, sense);
-    const std::vector<Stretch> stretches = stretches_of(box);
+    const std::vector<Stretch> stretches = stretches_along(box);
     CHECK(stretches.size() == 12);  // cells 3 to 6 along both axes, but for the four in the midst
     CHECK(sums(stretches).first == near(2 * (3.05 + 3.5), 1e-13));
     CHECK(sums(stretches).second == box.inside().outline.pieces.size());
@@ -72,14 +72,14 @@ TEST_CASE("Where nothing is beside a membrane there is no stretch") {
   for (int j = 0; j <= box_cells; ++j)  // water up to y = 4.5
     for (int i = 0; i <= box_cells; ++i)
       if (j > 4) around.cell_volume[box.flat(i, j)] = 0;
-  const std::vector<Stretch> stretches = stretches_of(box);
+  const std::vector<Stretch> stretches = stretches_along(box);
   CHECK_FALSE(stretches.empty());
   for (const Stretch& stretch : stretches)
     for_each_piece(box.inside().outline, stretch, [&](const CutCells::Piece& piece) {
       CHECK(piece.cell / box.inside().outline.count[0] + box.inside().outline.first[1] - 2 <= 5);
     });
   std::fill(around.cell_volume.begin(), around.cell_volume.end(), 0.0);
-  CHECK(stretches_of(box).empty());
+  CHECK(stretches_along(box).empty());
 }
 
 TEST_CASE("The end of a fold of empty cloth thinner than a fifth of a cell is no stretch") {
@@ -92,7 +92,7 @@ TEST_CASE("The end of a fold of empty cloth thinner than a fifth of a cell is no
     box.fill_cells();
     const CutCells& cells = box.inside().outline;
     int found = 0;
-    for (const Stretch& stretch : stretches_of(box))
+    for (const Stretch& stretch : stretches_along(box))
       for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
         found += flat_of(box.around().layout, cells, piece.cell) == box.flat(4, row);
       });
@@ -110,7 +110,7 @@ TEST_CASE("A stretch shorter than a quarter of a cell joins its neighbour") {
     box.draw({{3, 3.1}, {tip, 4}, {3, 4.9}});
     cut_interface_cells(box.state, box.grids);
     box.fill_cells();
-    const std::vector<Stretch> stretches = stretches_of(box);
+    const std::vector<Stretch> stretches = stretches_along(box);
     const CutCells& cells = box.inside().outline;
     double perimeter = 0, in_tip = 0;
     for (const CutCells::Piece& piece : cells.pieces) {
@@ -132,7 +132,7 @@ TEST_CASE(
     SharpBox box = full({}, sense);
     for (Grid<2>& grid : box.grids) box.set_mass(grid, 4.0);
     const CutCells& cells = box.inside().outline;
-    for (const Stretch& stretch : stretches_of(box)) {
+    for (const Stretch& stretch : stretches_along(box)) {
       std::array<double, 2> normal{}, n{};
       for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) {
         const Vec<2> from = vector_at(box.skin().x, piece.edge);

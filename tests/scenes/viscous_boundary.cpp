@@ -5,6 +5,7 @@
 
 #include "support/near.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop::test;
 
@@ -46,6 +47,12 @@ TEST_CASE("The share does not depend on where the edge lies in a cell, nor on ho
     CHECK(reflected.p < 0.03);  // 0.029 with gimp, else below 0.012
     CHECK(reflected.s < 0.03);
   }
+}
+
+TEST_CASE("Ground on a viscous boundary that breaks at steps beyond the bound of the scheme is stopped") {
+  const SceneRun run(pulses, {"solver.courant=0.9"});
+  CHECK(run.outcome().code != 0);
+  CHECK(contains(run.outcome().err + run.outcome().out, "energy grows without cause"));
 }
 
 TEST_CASE("The spring sends back what its depth says") {

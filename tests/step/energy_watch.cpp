@@ -110,6 +110,7 @@ TEST_CASE("Nobody watches where a solution drives a body; all others are watched
   CHECK_FALSE(watched("cases/verification/mms_axis_aligned.toml"));
   for (const char* scene :
        {"tests/scenes/tube.toml", "cases/verification/viscous_boundary.toml", "cases/verification/silent_side.toml",
-        "cases/geotube_submerged.toml", "cases/verification/infinite_slope_slides.toml", "cases/dump_kekerdom.toml"})
+        "cases/geotube_submerged.toml", "cases/verification/infinite_slope_slides.toml", "cases/dump_kekerdom.toml",
+        "cases/dump_barge_underwater.toml", "cases/verification/taylor_green.toml", "cases/elastic_bar.toml"})
     CHECK(watched(scene));
 }
