@@ -20,9 +20,10 @@ template <int Dim, class R>
 
 template <int Dim, class R>
 void update_point(auto& points, const LinearElastic& solid, const auto& rates, double, std::size_t p, int k) {
-  const R volume = load<R>(&rates.volume[k]);
+  auto dL = load_increment<Dim, R>(rates, k);
+  const R volume = load<R>(&rates.volume[k]) + add_stretch_of_spin<Dim, R>(dL);
   auto sigma = load_stress<Dim, R>(points, p);
-  update_stress<Dim, R>(solid, load_increment<Dim, R>(rates, k), volume, sigma);
+  update_stress<Dim, R>(solid, dL, volume, sigma);
   for (int c = 0; c < stress_components<Dim>; ++c) store(&points.stress[c][p], sigma[c]);
   store(&points.J[p], load<R>(&points.J[p]) * (1 + volume));
 }

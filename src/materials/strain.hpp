@@ -80,6 +80,33 @@ template <class R>
   stress = {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(0, 2)};
 }
 
+/// What spins moves along the tangent of its circle in a step, x += dt v, and lies farther out after it: dL gains this
+/// stretch of the second order, -W W / 2 with W = skew(dL), from ln sqrt(dF^T dF), dF = I + dL. Returns its trace.
+template <int Dim, class R>
+[[gnu::always_inline]] inline R add_stretch_of_spin(Gradient<Dim, R>& dL) {
+  if constexpr (Dim == 2) {
+    const R w = 0.5 * (dL[1] - dL[2]);
+    const R stretch = 0.5 * w * w;
+    dL[0] += stretch;
+    dL[3] += stretch;
+    return stretch + stretch;
+  } else {
+    const R x = 0.5 * (dL[7] - dL[5]), y = 0.5 * (dL[2] - dL[6]), z = 0.5 * (dL[3] - dL[1]);
+    const R xx = 0.5 * x * x, yy = 0.5 * y * y, zz = 0.5 * z * z;
+    const R xy = 0.5 * x * y, yz = 0.5 * y * z, xz = 0.5 * x * z;
+    dL[0] += yy + zz;
+    dL[4] += xx + zz;
+    dL[8] += xx + yy;
+    dL[1] = dL[1] - xy;
+    dL[3] = dL[3] - xy;
+    dL[5] = dL[5] - yz;
+    dL[7] = dL[7] - yz;
+    dL[2] = dL[2] - xz;
+    dL[6] = dL[6] - xz;
+    return 2.0 * (xx + yy + zz);
+  }
+}
+
 /// stress += 2 G deviator + K dvol I, zz included in plane strain.
 template <int Dim, class R, class Law>
 [[gnu::always_inline]] inline void add_elastic(const Law& law, const Stress<Dim, R>& deviatoric, const R& dvol,

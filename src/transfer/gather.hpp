@@ -3,7 +3,7 @@
 //   v_p = a (v_p + sum N (v' - v)) + (1 - a) sum N v',  a = exp(-lambda dt)   (a = 0: TPIC)
 //   C_p = L,  L = sum v' (grad N)^T,  x_p += dt sum N v'       (TPIC, Nakamura et al. 2023)
 //   J  *= 1 + dt D,  D = D_c in filled cells (grid/cell_pressure.hpp), tr L elsewhere; fluids: det(I + dt L) for
-//   1 + dt tr L, the area that x_p += dt sum N v' makes of a particle's
+//   1 + dt tr L, the area that x_p += dt sum N v' makes of a particle's; elastic solids: add_stretch_of_spin
 #pragma once
 
 #include "chunk_laws.hpp"

@@ -163,6 +163,23 @@ TEST_CASE("An eighth of an anticlockwise turn takes uniaxial stress along x to t
   CHECK(largest_difference(about_y, {500, 0, 500, 0, 0, 500}) < 1e-9);
 }
 
+TEST_CASE("A turn made of chords strains nothing, about any axis: the stretch of the tangent is that of the spin") {
+  const double angle = 0.01;
+  const auto strain_of_turn = [&]<int Dim>(std::integral_constant<int, Dim>, const Vector3d& axis) {
+    const Matrix3d turn = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+    Gradient<Dim, double> dL = gradient<Dim>(turn - Matrix3d::Identity());
+    double trace = add_stretch_of_spin<Dim, double>(dL);
+    for (int a = 0; a < Dim; ++a) trace += turn(a, a) - 1;
+    const Stress<Dim, double> deviatoric = deviator<Dim, double>(dL);
+    return std::hypot(trace, std::sqrt(norm_squared<Dim, double>(deviatoric)));
+  };
+  // 1e-4 without it, the square of the angle.
+  CHECK(strain_of_turn(std::integral_constant<int, 2>{}, {0, 0, 1}) < 5e-9);
+  CHECK(strain_of_turn(std::integral_constant<int, 2>{}, {0, 0, -1}) < 5e-9);
+  for (const Vector3d& axis : {Vector3d{1, 0, 0}, Vector3d{0, 1, 0}, Vector3d{0, 0, 1}, Vector3d{2, -1, 2}})
+    CHECK(strain_of_turn(std::integral_constant<int, 3>{}, axis) < 5e-9);
+}
+
 TEST_CASE("The given volume change replaces the trace, and the deviator is kept") {
   const LinearElastic law{1000, 2e6, 1e6};
   Stress<2, double> plane{};

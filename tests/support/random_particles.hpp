@@ -175,4 +175,11 @@ inline double largest_component(const Vec4& v) {
   return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::max(std::abs(v[2]), std::abs(v[3])));
 }
 
+/// What an elastic solid that moves with x += dL x grows by beside tr(dL), as its spin takes it along tangents: the
+/// trace of W^T W / 2, W = skew(dL).
+template <int Dim>
+double growth_of_spin(const Eigen::Matrix<double, Dim, Dim>& dL) {
+  return (0.5 * (dL - dL.transpose())).squaredNorm() / 2;
+}
+
 }  // namespace geodrop::test
