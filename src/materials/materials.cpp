@@ -90,6 +90,13 @@ double fluid_pressure(const Newtonian& fluid, double J, double gas) {
   return std::max(whole, -fluid.tension_cutoff);
 }
 
+double fluid_stiffness(const Newtonian& fluid, double pressure, double gas) {
+  const double K = fluid.bulk_modulus, of_water = fluid_volume_ratio(fluid, pressure),
+               absolute = fluid.atmosphere + pressure;
+  const double of_gas = gas * fluid.atmosphere / absolute;
+  return (of_water + of_gas) / (of_water * of_water / K + of_gas / absolute);
+}
+
 double fluid_energy(const Newtonian& fluid, double J, double gas) {
   if (gas > 0) {
     const double p = fluid_pressure(fluid, J, gas), share = fluid.atmosphere / (fluid.atmosphere + p);

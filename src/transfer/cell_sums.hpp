@@ -40,8 +40,12 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
       for (int k = 0; k < count; ++k) grid.cell_modulus[cell[k]] += modulus * volume[k];
     if (undrained)
       for (int k = 0; k < count; ++k) grid.pore_volume[cell[k]] += volume[k];
-    if (implicit > 0)
+    if (implicit > 0 && body.gas.empty())
       for (int k = 0; k < count; ++k) grid.pore_modulus[cell[k]] += implicit * volume[k];
+    else if (implicit > 0)
+      for (int k = 0; k < count; ++k)
+        grid.pore_modulus[cell[k]] +=
+            fluid_stiffness(std::get<Newtonian>(body.material), pressure[k], body.gas[p + k]) * volume[k];
   }
 }
 

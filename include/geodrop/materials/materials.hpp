@@ -308,6 +308,9 @@ inline double fluid_volume_ratio(const Newtonian& fluid, double pressure, double
   const double water = 1 / (1 + pressure / fluid.bulk_modulus);
   return gas > 0 ? water + gas * fluid.atmosphere / (fluid.atmosphere + pressure) : water;
 }
+/// -J dp/dJ at a pressure, of water with gas: that of the water where the gas is pressed away, p + p_a where there is
+/// much of it [Pa].
+double fluid_stiffness(const Newtonian& fluid, double pressure, double gas);
 /// Energy per volume of the water at zero pressure [J/m3], 0 there; its slope -dW/dJ is the pressure.
 double fluid_energy(const Newtonian& fluid, double J, double gas = 0);
 

@@ -229,9 +229,7 @@ void check_implicit_pressure(const Scene& scene, const BodySpec& body, const std
                      report.healthy("materials." + material->name + ".drainage");
   const bool pore_water =
       known && saturates(scene, body.name) && std::holds_alternative<NewtonianSpec>(material->model);
-  if (pore_water && std::get<Newtonian>(law_of(scene, body)).has_gas())
-    refuse("for water with gas", "true for the water in the pores of a soil without gas");
-  else if (known && !pore_water && (!pores || pores->gas))
+  if (known && !pore_water && (!pores || pores->gas))
     refuse("for a body of \"" + body.material + '"',
            "true for a soil with drainage = \"undrained\" and a fluid_bulk_modulus, or for the water in pores");
   else if (body.pressure != PressureSupport::cell)
