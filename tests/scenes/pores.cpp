@@ -20,39 +20,43 @@ double at(const std::vector<double>& times, const std::vector<double>& values, d
   return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
+/// The middle of the soil of a run over time.
+struct Heights {
+  std::vector<double> times, values;
+
+  explicit Heights(const SceneRun& run) : times(run.column("time_s")), values(run.column("soil.position_y_m")) {}
+  double lowest() const { return *std::min_element(values.begin(), values.end()); }
+  double operator()(double t) const { return at(times, values, t); }
+};
+
 }  // namespace
 
 TEST_CASE("Coupled soil of k = 1 nm/s swings as undrained soil does") {
   const std::vector<std::string> dense{"time.end=0.05", "output.history_interval=0.0002"};
   std::vector<std::string> without_damping = dense;
   without_damping.push_back("stages=");
-  const SceneRun one("tests/scenes/undrained_column.toml", dense),
-      two("cases/verification/undrained_limit.toml", without_damping);
-  const std::vector<double> times = one.column("time_s"), heights = one.column("soil.position_y_m");
-  const std::vector<double> other_times = two.column("time_s"), other_heights = two.column("soil.position_y_m");
-  const double swing = 0.5 - *std::min_element(heights.begin(), heights.end());
+  const Heights one(SceneRun("tests/scenes/undrained_column.toml", dense)),
+      two(SceneRun("cases/verification/undrained_limit.toml", without_damping));
+  const double swing = 0.5 - one.lowest();
   REQUIRE(swing > 1e-4);  // 0.12 mm, three times to and fro
   double square = 0, count = 0;
-  for (std::size_t i = 1; i + 1 < times.size(); ++i, ++count)
-    square += std::pow(at(other_times, other_heights, times[i]) - heights[i], 2);
+  for (std::size_t i = 1; i + 1 < one.times.size(); ++i, ++count)
+    square += std::pow(two(one.times[i]) - one.values[i], 2);
   CHECK(std::sqrt(square / count) < 0.01 * swing);
 }
 
 TEST_CASE("With gas in its water, at the pressure of the end of the step, it sinks as undrained soil with gas does") {
-  // The other one is explicit, with another law. Short steps: implicit Euler takes 13 % of the swing in a second at C =
-  // 0.5.
+  // That one is explicit, with another law. Short steps: implicit Euler takes 13 % of the swing in a second at C = 0.5.
   const std::vector<std::string> swings{"time.end=0.7", "output.history_interval=0.01", "solver.damping_rate=0",
                                         "grid.spacing=0.25"};
   std::vector<std::string> short_steps = swings;
   short_steps.push_back("solver.courant=0.05");
-  const SceneRun one("cases/verification/gas_in_pores.toml", swings),
-      two("cases/verification/gas_in_implicit_pores.toml", short_steps);
-  const std::vector<double> times = one.column("time_s"), heights = one.column("soil.position_y_m");
-  const std::vector<double> other_times = two.column("time_s"), other_heights = two.column("soil.position_y_m");
-  const double swing = 5 - *std::min_element(heights.begin(), heights.end());
+  const Heights one(SceneRun("cases/verification/gas_in_pores.toml", swings)),
+      two(SceneRun("cases/verification/gas_in_implicit_pores.toml", short_steps));
+  const double swing = 5 - one.lowest();
   REQUIRE(swing > 0.2);
-  for (std::size_t i = 1; i + 1 < times.size(); ++i)
-    CHECK(at(other_times, other_heights, times[i]) == within(heights[i], 0.02 * swing));
+  for (std::size_t i = 1; i + 1 < one.times.size(); ++i)
+    CHECK(two(one.times[i]) == within(one.values[i], 0.02 * swing));
 }
 
 TEST_CASE("A bag of coupled sand that lets no water through falls as a bag of undrained sand, torn or not") {
