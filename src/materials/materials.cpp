@@ -76,7 +76,7 @@ double pore_stiffness(const Material& material) {
 
 double implicit_modulus(const Material& material) {
   const auto* const water = std::get_if<Newtonian>(&material);
-  return water ? water->bulk_modulus : pore_stiffness(material);
+  return water ? elastic_moduli(*water).bulk : pore_stiffness(material);
 }
 
 double impedance(const Material& material) { return reference_density(material) * wave_speed(material); }

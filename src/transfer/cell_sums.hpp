@@ -11,6 +11,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   alignas(64) double volume[chunk_size], pressure[chunk_size];
   alignas(64) std::int32_t cell[chunk_size];
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
+  const auto* const water = std::get_if<Newtonian>(&body.material);
   const double implicit = !body.implicit_pores.empty() ? implicit_modulus(body.material) : 0.0;
   const bool undrained = !grid.pore_volume.empty() && has_checkerboard(body);
   const double modulus = grid.cell_modulus.empty() ? 0.0 : carried * explicit_moduli(body).of_waves();
@@ -44,8 +45,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
       for (int k = 0; k < count; ++k) grid.pore_modulus[cell[k]] += implicit * volume[k];
     else if (implicit > 0)
       for (int k = 0; k < count; ++k)
-        grid.pore_modulus[cell[k]] +=
-            fluid_stiffness(std::get<Newtonian>(body.material), pressure[k], body.gas[p + k]) * volume[k];
+        grid.pore_modulus[cell[k]] += fluid_stiffness(*water, pressure[k], body.gas[p + k]) * volume[k];
   }
 }
 
