@@ -293,8 +293,8 @@ double wave_modulus(const Material& material);
 /// K_f / n of undrained soil, the share of its pore water in wave_modulus; 0 of others [Pa].
 double pore_stiffness(const Material& material);
 
-/// What acts at the end of the step with an implicit pore pressure: K_f / n of undrained soil, K of pore water, with gas
-/// in it the largest at any pressure (fluid_stiffness has that of one) [Pa].
+/// What acts at the end of the step with an implicit pore pressure: K_f / n of undrained soil, K of pore water, with
+/// gas in it the largest at any pressure (fluid_stiffness has that of one) [Pa].
 double implicit_modulus(const Material& material);
 
 /// Speed of elastic shear waves at zero strain [m/s]; 0 in a fluid.
