@@ -288,18 +288,6 @@ void fill_with_grains(Grid<Dim>& water) {
   });
 }
 
-/// How often a cell counts at a node: with its image beyond a wall that the node, but not the cell, is on.
-template <int Dim>
-int with_images(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, int node) {
-  const std::array<int, Dim> place = stored_cell(layout, node);
-  int counts = 1;
-  for (int a = 0; a < Dim; ++a) {
-    const int at = place[a] - GridLayout<Dim>::pad;
-    if (!layout.periodic(a) && (at == 0 || at == layout.cells[a]) && cell[a] != place[a]) counts *= 2;
-  }
-  return counts;
-}
-
 }  // namespace
 
 template <int Dim>

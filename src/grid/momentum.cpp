@@ -11,6 +11,8 @@ double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
   double mass = grid.light_mass;
   if (grid.layout.graded())
     for (int a = 0; a < Dim; ++a) mass *= grid.layout.spline_width(a, node[a] - GridLayout<Dim>::pad);
+  for (int a = 0; a < Dim; ++a)
+    if (on_wall(grid.layout, a, node[a])) mass *= 0.5;
   return mass;
 }
 
@@ -35,6 +37,20 @@ CellRow<Dim> node_measures(const Grid<Dim>& grid, int count, std::array<int, Dim
 template <int Dim>
 double node_measure(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
   return node_measures<Dim>(grid, 1, node)[0];
+}
+
+template <int Dim>
+std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat) {
+  std::array<bool, Dim> fixed{};
+  const std::array<int, Dim> stored = stored_cell(layout, flat);
+  for (int a = 0; a < Dim; ++a) {
+    const int at = stored[a] - layout.pad;
+    if (layout.periodic(a) || (at != 0 && at != layout.cells[a])) continue;
+    fixed[a] = true;
+    const WallKind wall = at == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
+    if (wall == WallKind::no_slip) fixed.fill(true);
+  }
+  return fixed;
 }
 
 namespace {
@@ -208,7 +224,8 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
     // The force of cell pressures knows the volume only, so the weight of that is what it balances.
     if (step.weight == Weight::cell && fill[k] > 0 && filled_around<Dim>(grid, begin + k, node))
       here.gravity /= fill[k];
-    update_node<Dim>(grid, begin + k, node, step.dt * impulse, here, left_over);
+    impulse *= step.dt;
+    update_node<Dim>(grid, begin + k, node, impulse, here, left_over);
     grid.velocity[begin + k][3] = fill[k];
   }
 }
@@ -218,22 +235,20 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
 template <int Dim>
 void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
   if (node_of_seam(grid.layout, flat) != flat) return;
-  std::array<int, Dim == 2 ? 9 : 27> around;
-  int n = 0;
-  for (int z = -(Dim == 3); z <= (Dim == 3); ++z)
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x)
-        around[n++] = flat + x + y * grid.layout.stride[1] + (Dim == 3 ? z * grid.layout.stride[Dim - 1] : 0);
   double mass = 0;
-  for (const int other : around) mass += grid.sum[other][3];
+  for_masses_around<Dim>(grid, flat, [&](int, double m) { mass += m; });
   impulse[3] = 0;
+  const std::array<bool, Dim> held = held_by_walls(grid.layout, flat);
+  for (int a = 0; a < Dim; ++a)
+    if (held[a]) impulse[a] = 0;
   const Vec4 change = impulse / mass;
-  for (const int neighbour : around) {
-    if (grid.sum[neighbour][3] <= 0) continue;
+  for_masses_around<Dim>(grid, flat, [&](int neighbour, double m) {
+    if (m <= 0) return;
     const int other = node_of_seam(grid.layout, neighbour);
-    grid.velocity[other] += change;
-    if (!grid.velocity_change.empty()) grid.velocity_change[other] += change;
-  }
+    const Vec4 here = m / grid.sum[neighbour][3] * change;
+    grid.velocity[other] += here;
+    if (!grid.velocity_change.empty()) grid.velocity_change[other] += here;
+  });
 }
 
 }  // namespace
@@ -244,26 +259,12 @@ Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim
   if (mass >= light) return grid.velocity[flat];
   Vec4 momentum{};
   double around = 0;
-  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) {
-    momentum += grid.sum[other][3] * grid.velocity[other];
-    around += grid.sum[other][3];
+  for_masses_around<Dim>(grid, flat, [&](int other, double m) {
+    momentum += m * grid.velocity[other];
+    around += m;
   });
   const double kept = mass / light;
   return around > 0 ? kept * grid.velocity[flat] + (1 - kept) / around * momentum : grid.velocity[flat];
-}
-
-template <int Dim>
-std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat) {
-  std::array<bool, Dim> fixed{};
-  const std::array<int, Dim> stored = stored_cell(layout, flat);
-  for (int a = 0; a < Dim; ++a) {
-    const int at = stored[a] - layout.pad;
-    if (at != 0 && at != layout.cells[a]) continue;
-    fixed[a] = true;
-    const WallKind wall = at == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
-    if (wall == WallKind::no_slip) fixed.fill(true);
-  }
-  return fixed;
 }
 
 template <int Dim>

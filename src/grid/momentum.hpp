@@ -11,8 +11,35 @@
 
 namespace geodrop {
 
+/// Whether the nodes of a layer, by their stored coordinate along the axis, are on a wall of the domain.
+template <int Dim>
+bool on_wall(const GridLayout<Dim>& layout, int axis, int stored) {
+  const int at = stored - GridLayout<Dim>::pad;
+  return !layout.periodic(axis) && (at == 0 || at == layout.cells[axis]);
+}
+
+/// How often a cell or node counts beside another one: on a wall that the other one is off, with its image beyond.
+template <int Dim>
+int with_images(const GridLayout<Dim>& layout, const std::array<int, Dim>& from, int flat) {
+  const std::array<int, Dim> place = stored_cell(layout, flat);
+  int counts = 1;
+  for (int a = 0; a < Dim; ++a)
+    if (on_wall(layout, a, place[a]) && from[a] != place[a]) counts *= 2;
+  return counts;
+}
+
+/// f(node, mass) for the nodes around one: masses as they would be without walls.
+template <int Dim, class F>
+void for_masses_around(const Grid<Dim>& grid, int flat, F&& f) {
+  const std::array<int, Dim> node = stored_cell(grid.layout, flat);
+  const bool far = far_from_walls<Dim>(grid.layout, 1, node);
+  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) {
+    f(other, (far ? 1 : with_images<Dim>(grid.layout, node, other)) * grid.sum[other][3]);
+  });
+}
+
 /// Mass below which a node, given by its stored coordinates, is light [kg]: on a graded grid a share of what its own
-/// spline holds.
+/// spline holds, on a wall half of it.
 template <int Dim>
 double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node);
 
@@ -42,7 +69,7 @@ template <int Dim>
 void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt,
                      Weight weight = Weight::particle);
 
-/// Components of the velocity of a node that walls hold; of domains without periodic seams.
+/// Components of the velocity of a node that walls hold.
 template <int Dim>
 std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat);
 
@@ -55,10 +82,10 @@ bool for_shares_of_impulse(const Grid<Dim>& grid, int flat, F&& f) {
   if (kept > 0) f(flat, kept);
   if (!(kept < 1)) return true;
   double around = 0;
-  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) { around += grid.sum[other][3]; });
+  for_masses_around<Dim>(grid, flat, [&](int, double m) { around += m; });
   if (around <= 0) return false;
-  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) {
-    if (grid.sum[other][3] > 0) f(other, (1 - kept) * grid.sum[other][3] / around);
+  for_masses_around<Dim>(grid, flat, [&](int other, double m) {
+    if (m > 0) f(other, (1 - kept) * m / around);
   });
   return true;
 }

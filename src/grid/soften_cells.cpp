@@ -71,7 +71,8 @@ bool may_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int
     if (grid.cell_flags[flat] & cell_filled) least = std::min(least, grid.cell_volume[flat]);
   constexpr double most_square = 0.5 * Dim;  // of sum |int grad N|^2: 1/2 along an axis, at most 1 across
   const double stiffness = grid.largest_modulus * square(dt * face_measure(grid.layout));
-  return stiffness * most_square > most_swing * least * std::max(lightest, grid.light_mass);
+  const double least_light = grid.light_mass * (far_from_walls<Dim>(grid.layout, count, cell) ? 1 : std::pow(0.5, Dim));
+  return stiffness * most_square > most_swing * least * std::max(lightest, least_light);
 }
 
 }  // namespace

@@ -231,3 +231,53 @@ TEST_CASE_TEMPLATE(
     return 1.0;
   });
 }
+
+TEST_CASE_TEMPLATE("A wall is a mirror: nodes of small mass beside it share impulses as in twice the domain", Dimension,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+  constexpr int Dim = Dimension::value, middle = 6;
+  Nodes<Dim> whole(2 * middle, 2, WallKind::slip, Transfer::blend), half(middle, 0, WallKind::slip, Transfer::blend);
+  const auto place = [](const GridLayout<Dim>& layout, std::array<int, Dim> i, bool image) {
+    if (image) i[0] = 2 * middle - i[0];
+    return layout.index(i);
+  };
+  const auto each = [&](auto&& f) {  // nodes of the half
+    for_each_node(whole.grid.layout, 0, [&](int, const std::array<int, Dim>& i) {
+      for (int a = 0; a < Dim; ++a)
+        if (i[a] > middle) return;
+      f(i, place(half.grid.layout, i, false), place(whole.grid.layout, i, false), place(whole.grid.layout, i, true));
+    });
+  };
+  // Along the other axes both end alike, at i = 0, and the nodes from `middle` on have no mass.
+  for_each_node(whole.grid.layout, 0, [&](int flat, const std::array<int, Dim>& i) {
+    for (int a = 1; a < Dim; ++a)
+      if (i[a] >= middle - 1)
+        whole.grid.sum[flat] = whole.grid.force[flat] = Vec4{}, whole.grid.cell_pressure[flat] = 0;
+  });
+  each([&](const std::array<int, Dim>& i, int of_half, int of_whole, int image) {
+    for (Array<Vec4> Grid<Dim>::*field : {static_cast<Array<Vec4> Grid<Dim>::*>(&Grid<Dim>::sum),
+                                          static_cast<Array<Vec4> Grid<Dim>::*>(&Grid<Dim>::force)}) {
+      Vec4 value = (whole.grid.*field)[of_whole];
+      if (i[0] == middle) value[0] = 0;
+      (whole.grid.*field)[of_whole] = value;
+      (half.grid.*field)[of_half] = i[0] == middle ? Vec4(0.5 * value) : value;
+      value[0] = -value[0];
+      (whole.grid.*field)[image] = value;
+    }
+    half.grid.cell_pressure[of_half] = whole.grid.cell_pressure[image] = whole.grid.cell_pressure[of_whole];
+  });
+  whole.update();
+  half.update();
+  int light = 0;
+  each([&](const std::array<int, Dim>& i, int of_half, int of_whole, int) {
+    CAPTURE(i[0]);
+    const double mass = whole.grid.sum[of_whole][3];
+    if (mass > 0 && mass < whole.grid.light_mass) ++light;
+    const Vec4 seen = carried_velocity<Dim>(half.grid, of_half, stored_cell(half.grid.layout, of_half));
+    const Vec4 expected = carried_velocity<Dim>(whole.grid, of_whole, stored_cell(whole.grid.layout, of_whole));
+    for (int a = 0; a < Dim; ++a) {
+      CHECK(half.grid.velocity[of_half][a] == within(whole.grid.velocity[of_whole][a], 1e-11));
+      if (i[0] < middle || a > 0) CHECK(seen[a] == within(expected[a], 1e-11));
+    }
+  });
+  CHECK(light > 3);
+}
