@@ -37,16 +37,18 @@ Row<2> particle_contact_row(const Scene& scene) {
           each_field<2>([](State<2>& s, Grid<2>& g, const StepContext& step) { contact_to_grid(s, g, step.dt); })};
 }
 
-Row<2> rigid_share_row(const Scene& scene) {
-  return {"rigid_share", Data::rigid_bodies | Data::contacts | Data::active_blocks, Data::rigid_share,
-          any_body_shifts(scene) && any_contact_of(scene, ContactPair::Kind::body_on_rigid),
-          each_field<2>([](const State<2>& s, Grid<2>& g, const StepContext&) { find_rigid_share(s, g); })};
+Row<2> held_shift_row(const Scene& scene) {
+  return {
+      "held_shift",
+      Data::position | Data::rigid_bodies | Data::contacts | Data::velocity | Data::nodal_velocity | Data::cell_flags,
+      Data::rigid_share, any_body_shifts(scene) && any_fluid_at_rigid(scene),
+      each_field<2>([](const State<2>& s, Grid<2>& g, const StepContext& step) { find_held_shifts(s, g, step.dt); })};
 }
 
 Row<2> hold_shift_row(const Scene& scene) {
-  return {"hold_shift", Data::rigid_bodies | Data::contacts | Data::velocity | Data::nodal_velocity | Data::cell_flags,
-          Data::position, any_body_shifts(scene) && any_contact_of(scene, ContactPair::Kind::body_on_rigid),
-          each_field<2>([](State<2>& s, const Grid<2>& g, const StepContext& step) { hold_shift(s, g, step.dt); })};
+  return {"hold_shift", Data::rigid_share | Data::affine_rate, Data::position | Data::velocity,
+          any_body_shifts(scene) && any_fluid_at_rigid(scene),
+          each_field<2>([](State<2>& s, const Grid<2>& g, const StepContext&) { hold_shifts(s, g); })};
 }
 
 template <int Dim>

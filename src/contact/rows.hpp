@@ -9,7 +9,7 @@ namespace geodrop {
 Row<2> membrane_contact_row(const Scene& scene);
 Row<3> space_contact_row(const Scene& scene);
 Row<2> particle_contact_row(const Scene& scene);
-Row<2> rigid_share_row(const Scene& scene);
+Row<2> held_shift_row(const Scene& scene);
 Row<2> hold_shift_row(const Scene& scene);
 template <int Dim>
 Row<Dim> move_rigid_bodies_row(const Scene& scene);

@@ -10,10 +10,10 @@
 
 namespace geodrop {
 
-/// Grid::rigid_cells and rigid_splines of the rigid bodies that particles of this grid's bodies may touch.
-void find_rigid_share(const State<2>& state, Grid<2>& grid);
+/// Grid::held_shifts of particles that touch: the normal part of the shift that this step is about to do.
+void find_held_shifts(const State<2>& state, Grid<2>& grid, double dt);
 
-/// Takes the normal part of the shift that this step is about to do from the positions of particles that touch.
-void hold_shift(State<2>& state, const Grid<2>& grid, double dt);
+/// Takes it back, with what it changed of the velocity.
+void hold_shifts(State<2>& state, const Grid<2>& grid);
 
 }  // namespace geodrop

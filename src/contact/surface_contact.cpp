@@ -97,9 +97,20 @@ Array<double> particle_reach(const Scene& scene, const Body<2>& body) {
   return reach;
 }
 
+/// A fluid that lies on a surface touches it at the start as deep as its pressure presses it in, by id: without that it
+/// is let go, and rings.
+RareList<double> depth_at_start(const Newtonian& fluid, const Body<2>& body, double stiffness) {
+  RareList<double> depth(body.size());
+  for (std::size_t p = 0; p < body.size(); ++p)
+    depth[body.id[p]] = std::max(0.0, fluid_pressure(fluid, body.J[p], body.gas_at(p))) / stiffness;
+  return depth;
+}
+
 /// Length of surface that belongs to a particle: its volume over its width across the surface [m].
-double particle_length(const Body<2>& body, std::size_t p, double reach) {
-  return body.mass[p] / (reference_density(body.material) * 2 * reach);
+double particle_length(const Body<2>& body, std::size_t p, const RigidContact<2>& contact) {
+  const double reach = contact.half_width[body.id[p]], at_rest = body.mass[p] / reference_density(body.material);
+  if (contact.pressed_in.empty()) return at_rest / (2 * reach);
+  return body.J[p] * at_rest / (2 * (reach - contact.pressed_in[body.id[p]]));
 }
 
 std::vector<ContactPoint> find_particles(const RigidSurface& surface, const GridLayout<2>& layout, const Body<2>& body,
@@ -108,7 +119,7 @@ std::vector<ContactPoint> find_particles(const RigidSurface& surface, const Grid
   for_each_near(surface, layout, body, contact.half_width, [&](std::size_t p, std::ptrdiff_t slab) {
     const double reach = contact.half_width[body.id[p]];
     of_slab[slab].push_back(
-        {body.id[p], vector_at(body.x, p), vector_at(body.v, p), particle_length(body, p, reach), reach});
+        {body.id[p], vector_at(body.x, p), vector_at(body.v, p), particle_length(body, p, contact), reach});
   });
   std::vector<ContactPoint> points;
   for (const auto& some : of_slab) points.insert(points.end(), some.begin(), some.end());
@@ -229,7 +240,13 @@ RigidContact<2> make_rigid_contact(const Scene& scene, const ContactSpec& spec, 
   contact.friction = spec.friction;
   const Body<2>& body = touching_body(state, contact);
   set_penalty(spec, body.material, finest_spacing(scene.grid), contact);
-  if (contact.bare) contact.reach = contact.half_width = particle_reach(scene, body);
+  if (!contact.bare) return contact;
+  contact.reach = particle_reach(scene, body);
+  if (const auto* fluid = std::get_if<Newtonian>(&body.material)) {
+    contact.pressed_in = depth_at_start(*fluid, body, contact.stiffness);
+    for (std::size_t id = 0; id < body.size(); ++id) contact.reach[id] += contact.pressed_in[id];
+  }
+  contact.half_width = contact.reach;
   return contact;
 }
 

@@ -6,10 +6,13 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include "cells_around.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
+#include "grid/momentum.hpp"
 #include "outline_pieces.hpp"
 
 namespace geodrop {
@@ -34,6 +37,74 @@ Slope<dim> whole_cell(const std::array<SpanShape, dim>& cell) {
     }
   }
   return whole;
+}
+
+/// Hands what the nodes beyond walls have on to their mirror images, as grid/momentum's fold_walls does, and leaves out
+/// what walls hold.
+template <int Dim>
+void fold_at_walls(const GridLayout<Dim>& layout, int flat, std::type_identity_t<Slope<Dim>>& slope) {
+  const std::array<int, Dim> place = stored_cell(layout, flat);
+  if (far_from_walls<Dim>(layout, 1, place)) return;
+  constexpr std::array<int, 3> step{1, 3, 9};
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!on_wall(layout, axis, place[axis])) continue;
+    const bool lower = place[axis] == layout.pad;
+    const WallKind wall = lower ? layout.lower_wall[axis] : layout.upper_wall[axis];
+    for (int n = 0; n < nodes_around<Dim>; ++n) {
+      if (n / step[axis] % 3 != (lower ? 0 : 2)) continue;
+      for (int a = 0; a < Dim; ++a) {
+        const double sign = a != axis && wall == WallKind::slip ? 1 : -1;
+        slope[n + (lower ? 2 : -2) * step[axis]][a] += sign * slope[n][a];
+        slope[n][a] = 0;
+      }
+    }
+  }
+  for (int n = 0; n < nodes_around<Dim>; ++n) {
+    const std::array<bool, Dim> held = held_by_walls(layout, node_around(layout, flat, n));
+    for (int a = 0; a < Dim; ++a)
+      if (held[a]) slope[n][a] = 0;
+  }
+}
+
+/// int N and int N' of the nodes below, at and above over the half of a span that is in the domain.
+struct HalfSpan {
+  std::array<double, 3> value, slope;
+};
+inline HalfSpan half_span(const SpanShape& span, bool upper_half) {
+  const auto [below, above] = upper_half ? std::pair(span.below, span.above) : std::pair(span.above, span.below);
+  HalfSpan half{{below / 24, 0.5 - below / 24 - 7 * above / 24, 7 * above / 24},
+                {-below / 4, (below - 3 * above) / 4, 3 * above / 4}};
+  if (upper_half) return half;
+  std::swap(half.value[0], half.value[2]);
+  std::swap(half.slope[0], half.slope[2]);
+  for (double& slope : half.slope) slope = -slope;
+  return half;
+}
+
+/// int grad N over what the domain has of a cell, half of it at a wall.
+template <int Dim>
+Slope<Dim> slopes_in_domain(const GridLayout<Dim>& layout, int flat) {
+  const std::array<int, Dim> place = stored_cell(layout, flat);
+  if (far_from_walls<Dim>(layout, 1, place)) return whole_cell(spans_of(layout, flat));
+  std::array<std::array<double, 3>, Dim> value, slope;
+  for (int a = 0; a < Dim; ++a) {
+    const SpanShape span = layout.span_shape(a, place[a]);
+    const bool at_wall = on_wall(layout, a, place[a]);
+    const HalfSpan half = half_span(span, place[a] == layout.pad);
+    value[a] = at_wall ? half.value : span.values();
+    slope[a] = at_wall ? half.slope : span.slopes();
+    for (double& v : value[a]) v *= span.width;
+  }
+  Slope<Dim> in_domain;
+  for (std::size_t n = 0; n < in_domain.size(); ++n) {
+    const std::array<std::size_t, 3> at{n % 3, n / 3 % 3, n / 9};
+    for (int a = 0; a < Dim; ++a) {
+      in_domain[n][a] = 1;
+      for (int b = 0; b < Dim; ++b) in_domain[n][a] *= (b == a ? slope : value)[b][at[b]];
+    }
+  }
+  fold_at_walls(layout, flat, in_domain);
+  return in_domain;
 }
 
 /// Adds int N n over the part of a face inside; the face is on the side `side` (0 below, 1 above) of the cell.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "grid/neighbourhood.hpp"
+#include "grid/momentum.hpp"
 
 namespace geodrop {
 
@@ -47,6 +47,25 @@ double cell_size(const GridLayout<Dim>& layout, int flat) {
   double size = span_of(layout, 0, flat).width;
   for (int a = 1; a < Dim; ++a) size *= span_of(layout, a, flat).width;
   return size;
+}
+
+/// What the domain has of a cell: half at a wall [m2, m3].
+template <int Dim>
+double size_in_domain(const GridLayout<Dim>& layout, int flat) {
+  const std::array<int, Dim> place = stored_cell(layout, flat);
+  double size = cell_size(layout, flat);
+  for (int a = 0; a < Dim; ++a) {
+    if (on_wall(layout, a, place[a])) size *= 0.5;
+  }
+  return size;
+}
+
+/// Share of a cell that bodies of other fields and rigid bodies have [-].
+template <int Dim>
+double taken_of(const Grid<Dim>& grid, int flat) {
+  double share = grid.taken.empty() ? 0.0 : grid.taken[flat];
+  if (!grid.rigid_cells.empty()) share += grid.rigid_cells[flat];
+  return std::min(share, 1.0);
 }
 
 /// A box of cells as places, wider by about half a cell: for the many particles that are not there a comparison takes

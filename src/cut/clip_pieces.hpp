@@ -12,14 +12,9 @@
 #include <utility>
 
 #include "geometry/clip_triangle.hpp"
+#include "geometry/triangle_rule.hpp"
 
 namespace geodrop {
-
-/// A point of a quadrature on triangles.
-struct TrianglePoint {
-  std::array<double, 3> share;
-  double weight;
-};
 
 inline Vec<3> to_vector(const SpacePoint& x) { return {x[0], x[1], x[2]}; }
 

@@ -8,16 +8,6 @@
 namespace geodrop {
 namespace {
 
-/// Exact for polynomials of degree 4 (Dunavant 1985).
-constexpr double near_a = 0.445948490915965, near_w = 0.223381589678011, far_a = 0.091576213509771,
-                 far_w = 0.109951743655322;
-constexpr std::array<TrianglePoint, 6> degree_4{{{{near_a, near_a, 1 - 2 * near_a}, near_w},
-                                                 {{near_a, 1 - 2 * near_a, near_a}, near_w},
-                                                 {{1 - 2 * near_a, near_a, near_a}, near_w},
-                                                 {{far_a, far_a, 1 - 2 * far_a}, far_w},
-                                                 {{far_a, 1 - 2 * far_a, far_a}, far_w},
-                                                 {{1 - 2 * far_a, far_a, far_a}, far_w}}};
-
 class Clipper {
  public:
   explicit Clipper(ClippedCells& cells) : cells_(cells) {}
@@ -28,7 +18,7 @@ class Clipper {
     const Vec<3> unit = facet.normal / size;
     for_each_piece_of(facet, cells_, [&](int c, const Vec<3>& middle, const ConvexPiece& piece) {
       const auto share = for_each_fan(facet, size, piece, [&](const std::array<Vec<3>, 3>& fan, double area) {
-        for (const TrianglePoint& q : degree_4)
+        for (const TrianglePoint& q : triangle_degree_4)
           add_point(c, q.share[0] * fan[0] + q.share[1] * fan[1] + q.share[2] * fan[2] - middle,
                     q.weight * area * unit);
       });

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -24,6 +25,7 @@ namespace {
 
 /// A part stands by itself if it is this share of its cell, and particles fill this share.
 constexpr double least_part = 0.5, least_filled = 0.3;
+constexpr double round_off = 1e-9;  // of a share: cells along a wall that all have a half are alike
 
 /// Cells at walls are half cells with mirrored nodes: an outline stays out of them.
 template <int Dim>
@@ -53,9 +55,9 @@ double spline_size(const GridLayout<Dim>& layout, int node) {
 /// too: a flow into the cell over the little volume of one particle squeezes that to nothing.
 template <int Dim>
 bool stands(const Grid<Dim>& grid, int flat) {
-  const double whole = cell_size(grid.layout, flat), part = 1 - grid.taken[flat];
+  const double whole = size_in_domain(grid.layout, flat), part = 1 - taken_of(grid, flat);
   const double filled = grid.cell_volume[flat], grains = grid.occupied.empty() ? 0.0 : grid.occupied[flat];
-  return part >= least_part && carries_pressure(grid, flat) && filled + grains >= least_filled * whole &&
+  return part >= least_part - round_off && carries_pressure(grid, flat) && filled + grains >= least_filled * whole &&
          filled >= least_filled * (part * whole - grains);
 }
 
@@ -76,6 +78,28 @@ int find_host(const Grid<Dim>& grid, int flat, const std::type_identity_t<std::a
       if ((along > 0) == same_side && stands(grid, other)) return other;
     }
   return -1;
+}
+
+/// The cell whose pressure acts in what a rigid body leaves of a cell: its own, or for a small part that of the
+/// neighbour in the direction `outward`, so that the mean of both is of one depth beside an upright wall. -1 where
+/// particles act by themselves, as in other cells that are not filled.
+template <int Dim>
+int host_beside_rigid(const Grid<Dim>& grid, int flat, const std::type_identity_t<std::array<double, Dim>>& outward) {
+  if (stands(grid, flat)) return flat;
+  if (1 - taken_of(grid, flat) >= least_part) return -1;
+  int best = -1;
+  double most = 0;  // cosine between the way to the neighbour and `outward`
+  for_neighbourhood(grid.layout, flat, [&](int other, const std::array<int, Dim>& at) {
+    double along = 0, square = 0;
+    for (int a = 0; a < Dim; ++a) {
+      along += (at[a] - 1) * outward[a];
+      square += (at[a] - 1) * (at[a] - 1);
+    }
+    if (square == 0 || !(along / std::sqrt(square) > most)) return;
+    best = other;
+    most = along / std::sqrt(square);
+  });
+  return best >= 0 && stands(grid, best) ? best : -1;
 }
 
 /// Collects the parts that a field has of cells, at most one for each cell.
@@ -114,13 +138,29 @@ void for_each_uncut(const GridLayout<Dim>& layout, const Outline<Dim>& cells, bo
     if (!cut[c] && (inside_of(cells)[c] > 0.5) == inside) f(flat_of(layout, cells, static_cast<int>(c)));
 }
 
+/// Takes what rigid bodies have of cells from the parts of the fluid that they touch.
+template <int Dim>
+void leave_out_rigid(Grid<Dim>& grid, PartList<Dim>& parts) {
+  for (const RigidPart<Dim>& rigid : grid.rigid_parts) {
+    PartCell<Dim>& part = parts.at(rigid.flat, slopes_in_domain(grid.layout, rigid.flat));
+    for (int n = 0; n < nodes_around<Dim>; ++n)
+      for (int a = 0; a < Dim; ++a) part.slope[n][a] -= rigid.slope[n][a];
+    part.host = host_beside_rigid(grid, rigid.flat, rigid.outward);
+    if (part.host < 0) continue;
+    int n = 0;
+    for_neighbourhood(grid.layout, rigid.flat, [&](int, const std::array<int, Dim>& at) {
+      grid.rigid_filled[mirrored<Dim>(grid.layout, stored_cell(grid.layout, rigid.flat), at)] += rigid.value[n++];
+    });
+  }
+}
+
 /// Cells whose pressure others share are parts too, so that a host and its guests stand together in the list.
 template <int Dim>
 void sort_by_host(Grid<Dim>& grid, PartList<Dim>& parts) {
   const std::size_t guests = grid.part_cells.size();
   for (std::size_t n = 0; n < guests; ++n)
     if (const int host = grid.part_cells[n].host; host >= 0)
-      parts.at(host, whole_cell(spans_of(grid.layout, host))).host = host;
+      parts.at(host, slopes_in_domain(grid.layout, host)).host = host;
   std::sort(grid.part_cells.begin(), grid.part_cells.end(),
             [](const auto& a, const auto& b) { return std::pair(a.host, a.flat) < std::pair(b.host, b.flat); });
 }
@@ -241,6 +281,7 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
     take_in_strays(0, true);
   }
   for (std::size_t f = 0; f < grids.size(); ++f) {
+    leave_out_rigid(grids[f], lists[f]);
     if (grids[f].part_cells.empty()) continue;
     sort_by_host(grids[f], lists[f]);
     share_pressure(grids[f]);
@@ -320,7 +361,7 @@ void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
 template <int Dim>
 void for_each_interface_force(const Grid<Dim>& grid, const ForceAtNode<Dim>& f) {
   for (const PartCell<Dim>& part : grid.part_cells) {
-    const Slope<Dim> whole = whole_cell(spans_of(grid.layout, part.flat));
+    const Slope<Dim> whole = slopes_in_domain(grid.layout, part.flat);
     const double pressure = grid.cell_pressure[part.flat];
     for (int n = 0; n < nodes_around<Dim>; ++n) {
       std::array<double, Dim> force;

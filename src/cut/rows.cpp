@@ -9,28 +9,37 @@
 #include "keep_sides.hpp"
 #include "limit_unseen.hpp"
 #include "model_drag.hpp"
+#include "rigid_parts.hpp"
 #include "seep.hpp"
 
 namespace geodrop {
 
+namespace {
+
+/// Membranes or rigid bodies cut cells.
+bool cuts_cells(const Scene& scene) { return has_sharp_interface(scene) || any_fluid_at_rigid(scene); }
+
+}  // namespace
+
 template <int Dim>
 Row<Dim> cut_cells_row(const Scene& scene) {
   return {"cut_cells", Data::membranes | Data::membrane_position,
-          Data::cut_cells | Data::cell_flags | Data::volume_rate, has_sharp_interface(scene),
+          Data::cut_cells | Data::cell_flags | Data::volume_rate, cuts_cells(scene),
           [](const State<Dim>& s, Grids<Dim>& f, const StepContext&) { cut_interface_cells(s, f); }};
 }
 
 template <int Dim>
 Row<Dim> interface_pressure_row(const Scene& scene) {
   return {"interface_pressure", Data::cut_cells | Data::position | Data::mass | Data::volume_ratio,
-          Data::cut_cells | Data::cell_volume | Data::cell_pressure | Data::cell_flags, has_sharp_interface(scene),
+          Data::cut_cells | Data::rigid_share | Data::cell_volume | Data::cell_pressure | Data::cell_flags,
+          cuts_cells(scene),
           [](const State<Dim>& s, Grids<Dim>& f, const StepContext&) { share_interface_pressure(s, f); }};
 }
 
 template <int Dim>
 Row<Dim> even_out_volumes_row(const Scene& scene) {
   return {"even_out_volumes", Data::cell_pressure | Data::cell_flags | Data::position, Data::volume_ratio,
-          has_sharp_interface(scene) || scene.solver.even_out_volumes,
+          cuts_cells(scene) || scene.solver.even_out_volumes,
           [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { even_out_volumes(s, f, step.dt); }};
 }
 
@@ -45,6 +54,12 @@ Row<Dim> seep_row(const Scene& scene) {
           [](State<Dim>& s, const Grids<Dim>& f, const StepContext& step) { seep(s, f, step.dt); }};
 }
 
+Row<2> rigid_parts_row(const Scene& scene) {
+  return {"rigid_parts", Data::rigid_bodies | Data::contacts | Data::active_blocks, Data::rigid_share,
+          any_fluid_at_rigid(scene),
+          each_field<2>([](const State<2>& s, Grid<2>& g, const StepContext&) { find_rigid_parts(s, g); })};
+}
+
 Row<2> model_drag_row(const Scene& scene) {
   return {"model_drag", Data::membrane_position | Data::membrane_velocity | Data::velocity | Data::mass,
           Data::membrane_load, any_model_drag(scene),
@@ -54,7 +69,7 @@ Row<2> model_drag_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> interface_force_row(const Scene& scene) {
   return {"interface_force", Data::cut_cells | Data::cell_volume | Data::nodal_sums,
-          Data::cut_cells | Data::cell_pressure | Data::nodal_force, has_sharp_interface(scene),
+          Data::cut_cells | Data::cell_pressure | Data::nodal_force, cuts_cells(scene),
           [](const State<Dim>&, Grids<Dim>& f, const StepContext& step) { add_interface_force(f, step.dt); }};
 }
 
@@ -80,7 +95,7 @@ Row<Dim> fill_other_sides_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> interface_rate_row(const Scene& scene) {
   return {"interface_rate", Data::cut_cells | Data::cell_volume | Data::nodal_velocity | Data::pore_space,
-          Data::volume_rate, has_sharp_interface(scene),
+          Data::volume_rate, cuts_cells(scene),
           [](const State<Dim>&, Grids<Dim>& f, const StepContext&) { update_interface_rates(f); }};
 }
 

@@ -14,6 +14,7 @@ Row<Dim> even_out_volumes_row(const Scene& scene);
 template <int Dim>
 Row<Dim> seep_row(const Scene& scene);
 Row<2> model_drag_row(const Scene& scene);
+Row<2> rigid_parts_row(const Scene& scene);
 template <int Dim>
 Row<Dim> interface_force_row(const Scene& scene);
 template <int Dim>

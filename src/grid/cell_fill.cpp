@@ -36,14 +36,6 @@ void raw_fill(Grid<Dim>& grid, Array<double>& fill) {
   });
 }
 
-/// Beside a rigid surface each particle has its own pressure, which ends where the contact force acts; the mean of a
-/// cell would act up to the cell's faces (water beside a half-plane: 0.30 m/s of rms velocity instead of 0.012).
-template <int Dim>
-bool cut_by_rigid(const Grid<Dim>& grid, int flat) {
-  constexpr double least = 0.02;  // of the cell
-  return !grid.rigid_cells.empty() && grid.rigid_cells[flat] > least;
-}
-
 /// Binomially smoothed fill ratio of cells along x.
 template <int Dim>
 std::array<double, GridLayout<Dim>::block_width[0]> smoothed_fill(const GridLayout<Dim>& layout,
@@ -124,7 +116,7 @@ void average_cell_pressure(const State<Dim>& state, Grid<Dim>& grid, bool shift)
       const int flat = begin + k;
       const bool holds = grid.cell_volume[flat] > 0, shared = !grid.taken.empty() && grid.taken[flat] > 0;
       const bool enough = smooth[k] >= filled_ratio || (!grid.pore_modulus.empty() && grid.pore_modulus[flat] > 0);
-      const bool filled = enough && (holds || shared) && !cut_by_rigid(grid, flat);
+      const bool filled = enough && (holds || shared);
       grid.cell_flags[flat] = filled ? cell_filled : 0;
       grid.cell_pressure[flat] = filled && holds ? grid.cell_pressure[flat] / grid.cell_volume[flat] : 0.0;
     }

@@ -207,7 +207,7 @@ void add_grid(Data item, const Grid<Dim>& grid, Hasher& hash) {
     case Data::nodal_pressure:
       return hash.add(grid.node_volume, grid.node_pressure, grid.node_rate);
     case Data::rigid_share:
-      return hash.add(grid.rigid_cells, grid.rigid_splines);
+      return hash.add(grid.rigid_cells, grid.rigid_splines, grid.rigid_filled, grid.room_mass);
     case Data::pore_space:
       hash.add(grid.grain_volume, grid.drag_resistance, grid.occupied, grid.pore_share, grid.grain_lightness,
                grid.node_drag, grid.inertial_resistance, grid.node_inertial_drag);

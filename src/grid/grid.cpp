@@ -186,7 +186,7 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   want(grid_role::for_nodal, any_body([](const BodySpec& b) { return b.pressure == PressureSupport::nodal; }));
   want(grid_role::for_sharp, has_sharp_interface(scene));
   want(grid_role::for_crowding, any_body(makes_room));
-  want(grid_role::for_rigid, shift && any_contact_of(scene, ContactPair::Kind::body_on_rigid));
+  want(grid_role::for_rigid, any_fluid_at_rigid(scene));
   want(grid_role::for_pores, any_body([](const BodySpec& b) { return !b.saturated_by.empty(); }));
   want(grid_role::for_pore_water, any_body([&](const BodySpec& b) { return saturates(scene, b.name); }));
   want(grid_role::for_inertial_drag, any_body([&](const BodySpec& b) { return has_inertial_drag(scene, b); }));

@@ -4,6 +4,7 @@
 #include "cell_pressure.hpp"
 #include "neighbourhood.hpp"
 #include "seams.hpp"
+#include "weight_at_rigid.hpp"
 
 namespace geodrop {
 template <int Dim>
@@ -139,6 +140,18 @@ void impose_walls(const Grid<Dim>& grid, Array<Vec4>& field) {
   }
 }
 
+/// Adds what rigid bodies have of the splines of a row's nodes, and what lies empty behind a thin one.
+template <int Dim>
+void add_rigid(const Grid<Dim>& grid, int begin, int count, const CellRow<Dim>& whole, CellRow<Dim>& volume) {
+  for (int k = 0; k < count; ++k) {
+    const double mass = grid.room_mass[begin + k];
+    if (mass > 0)
+      volume[k] = whole[k] + (1 - mass / grid.sum[begin + k][3]) * volume[k];
+    else
+      volume[k] += grid.rigid_splines[begin + k];
+  }
+}
+
 /// Volume of particles and rigid bodies over the integral of the splines of a row's nodes [-]: what particles shift
 /// down the gradient of. The smooth spline sum, not the count in the cell: counts jump when a particle changes cells
 /// (jittered column: error 2.0 instead of 1.0 %).
@@ -147,8 +160,8 @@ CellRow<Dim> fill_ratios(const Grid<Dim>& grid, int begin, int count, const std:
   CellRow<Dim> fill{};
   if (grid.cell_volume.empty() || (Dim == 3 && grid.force.empty())) return fill;
   for (int k = 0; k < count; ++k) fill[k] = spline_volume(grid, begin + k);
-  for (int k = 0; k < count && !grid.rigid_splines.empty(); ++k) fill[k] += grid.rigid_splines[begin + k];
   const CellRow<Dim> whole = node_measures<Dim>(grid, count, node);
+  if (!grid.rigid_splines.empty()) add_rigid(grid, begin, count, whole, fill);
   for (int k = 0; k < count; ++k) fill[k] /= whole[k];
   for (int k = 0; k < count && !grid.pore_share.empty(); ++k) fill[k] += 1 - grid.pore_share[begin + k];
   return fill;
@@ -214,7 +227,7 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
   const RowForce<Dim> force =
       grid.cell_pressure.empty() ? RowForce<Dim>{} : cell_pressure_force<Dim>(grid, begin, count, node);
   const CellRow<Dim> fill = fill_ratios<Dim>(grid, begin, count, node);
-  const bool separate = !grid.force.empty(), pores = !grid.pore_share.empty();
+  const bool separate = !grid.force.empty(), pores = !grid.pore_share.empty(), at_rigid = !grid.room_mass.empty();
   for (int k = 0; k < count; ++k, ++node[0]) {
     Vec4 impulse{};
     for (int a = 0; a < Dim; ++a) impulse[a] = force[a][k];
@@ -225,6 +238,11 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
     if (step.weight == Weight::cell && fill[k] > 0 && filled_around<Dim>(grid, begin + k, node))
       here.gravity /= fill[k];
     impulse *= step.dt;
+    // Pressure and weight of a node in the surface cancel before the node of small mass hands them on.
+    if (at_rigid && grid.room_mass[begin + k] > 0) {
+      impulse += grid.room_mass[begin + k] * step.gravity;
+      here.gravity = Vec4{};
+    }
     update_node<Dim>(grid, begin + k, node, impulse, here, left_over);
     grid.velocity[begin + k][3] = fill[k];
   }
@@ -281,6 +299,8 @@ template <int Dim>
 void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, double dt, Weight weight) {
   MomentumStep step{{}, dt, weight};
   for (int a = 0; a < Dim; ++a) step.gravity[a] = dt * gravity[a];
+  if constexpr (Dim == 2)
+    if (!grid.room_mass.empty()) step.gravity *= weigh_by_room(grid);
   const auto blocks = static_cast<std::ptrdiff_t>(grid.active_blocks.size());
   std::vector<LeftOver> left_over(blocks);
 #pragma omp parallel for schedule(static) if (blocks >= blocks_worth_threads)

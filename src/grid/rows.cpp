@@ -58,7 +58,8 @@ Row<Dim> momentum_row(const Scene& scene) {
   return {"momentum",
           Data::nodal_sums | Data::nodal_force | Data::cell_volume | Data::cell_flags | Data::cell_pressure |
               Data::rigid_share | Data::pore_space | Data::cut_cells,
-          Data::cell_pressure | Data::volume_rate | Data::nodal_velocity | Data::velocity_change, true,
+          Data::cell_pressure | Data::volume_rate | Data::nodal_velocity | Data::velocity_change | Data::rigid_share,
+          true,
           each_field<Dim>(
               [gravity, weights = weights_of_fields(scene)](const State<Dim>&, Grid<Dim>& g, const StepContext& step) {
                 if (g.largest_modulus > 0 && g.pore_share.empty()) soften_light_cells(g, step.dt);

@@ -25,6 +25,16 @@ bool any_contact_of(const Scene& scene, ContactPair::Kind kind) {
                      [&](const ContactSpec& contact) { return contact_pair(scene, contact).kind == kind; });
 }
 
+bool any_fluid_at_rigid(const Scene& scene) {
+  const auto of_fluid = [&](const ContactSpec& contact) {
+    const ContactPair pair = contact_pair(scene, contact);
+    if (pair.kind != ContactPair::Kind::body_on_rigid) return false;
+    const BodySpec& body = *find_body(scene, pair.touching);
+    return body.pressure == PressureSupport::cell && fluid_of(scene, body);
+  };
+  return scene.dimension == 2 && scene.grid.basis == Basis::bspline2 && std::ranges::any_of(scene.contacts, of_fluid);
+}
+
 bool any_membrane_contact(const Scene& scene) {
   return any_contact_of(scene, ContactPair::Kind::membrane_on_rigid) ||
          any_contact_of(scene, ContactPair::Kind::membranes);

@@ -12,6 +12,10 @@ bool makes_room(const BodySpec& body);
 bool any_body_with(const Scene& scene, PressureSupport pressure);
 bool any_contact_of(const Scene& scene, ContactPair::Kind kind);
 
+/// A fluid whose cells have a pressure touches a rigid body, in the plane, on quadratic B-splines: it ends at the
+/// surface.
+bool any_fluid_at_rigid(const Scene& scene);
+
 /// A membrane touches a rigid body or a membrane.
 bool any_membrane_contact(const Scene& scene);
 /// A drag law acts on a membrane, without the fluid around.

@@ -122,10 +122,11 @@ auto members(Part& part) {
     return std::tie(name, membrane, node, line, to, compliance, length, stretch, force);
   } else if constexpr (is_rigid_contact<Plain>) {
     auto& [touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side, normal_force,
-           friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work, piece] = part;
+           friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work, piece, pressed_in] =
+        part;
     return std::tie(touching, rigid, bare, friction, stiffness, damping, reach, half_width, points, slip, side,
                     normal_force, friction_force, normal_sum, friction_sum, friction_work, damping_work, driving_work,
-                    piece);
+                    piece, pressed_in);
   } else if constexpr (is_membrane_contact<Plain>) {
     auto& [between, outward, friction, stiffness, damping, reach, slip, force, normal_force] = part;
     return std::tie(between, outward, friction, stiffness, damping, reach, slip, force, normal_force);

@@ -203,13 +203,15 @@ template <int Dim>
 void check_rigid_contact(const State<Dim>& state, const RigidContact<Dim>& built, const RigidContact<Dim>& contact) {
   using C = RigidContact<Dim>;
   const Part part("contact of '" + built.touching + "' with '" + built.rigid + "'");
-  part.require(
-      alike(contact, built, &C::touching, &C::rigid, &C::bare, &C::friction, &C::stiffness, &C::damping, &C::reach),
-      "another pair or other settings");
+  part.require(alike(contact, built, &C::touching, &C::rigid, &C::bare, &C::friction, &C::stiffness, &C::damping,
+                     &C::reach, &C::pressed_in),
+               "another pair or other settings");
   constexpr std::size_t slips = Dim == 2 ? 1 : 3;
   part.require(contact.slip.size() == slips * contact.points.size() && contact.side.size() == contact.points.size(),
                "another number of points than of what is known of them");
   part.require(contact.half_width.size() == contact.reach.size(), "another number of half widths than of particles");
+  part.require(contact.pressed_in.empty() || contact.pressed_in.size() == contact.reach.size(),
+               "another number of depths than of particles");
   std::size_t points = contact.reach.size();
   for (const Membrane<Dim>& membrane : state.membranes)
     if (!contact.bare && membrane.name == contact.touching) points = membrane.nodes();

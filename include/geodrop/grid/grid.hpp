@@ -208,6 +208,22 @@ struct PartCell {
   double share = 1;                ///< of its pressure and rate that acts: less where it is too stiff for the step [-]
 };
 
+/// What rigid bodies have of a cell.
+template <int Dim>
+struct RigidPart {
+  int flat = 0;
+  Slope<Dim> slope{};                 ///< over that part
+  SplineVolumes<Dim> value{};         ///< over that part
+  std::array<double, Dim> outward{};  ///< away from the nearest of them
+};
+
+/// The part of a particle's coming shift that would press it against a rigid body, or pull it off [m].
+template <int Dim>
+struct HeldShift {
+  std::size_t body = 0, particle = 0;
+  std::array<double, Dim> shift{};
+};
+
 /// What a field of the grid takes part in, and what needs it.
 namespace grid_role {
 enum : unsigned {
@@ -261,6 +277,8 @@ struct GridFields {
 
   Array<double> rigid_cells;    ///< share of each cell that rigid bodies have [-]
   Array<double> rigid_splines;  ///< integral of the spline of each node over rigid bodies [m2]
+  Array<double> rigid_filled;   ///< the part of that in filled cells [m2]
+  Array<double> room_mass;  ///< what the room around a node beside rigid bodies holds, see grid/weight_at_rigid [kg]
 
   // See pores/pores. Of a soil's field:
   Array<double> grain_volume;         ///< of a cell [m3]
@@ -298,6 +316,8 @@ inline constexpr auto grid_fields = [] {
                     field<for_sharp>("taken", "-", &G::taken),
                     field<for_rigid>("rigid_cells", "-", &G::rigid_cells),
                     field<for_rigid>("rigid_splines", "m2", &G::rigid_splines),
+                    field<for_rigid>("rigid_filled", "m2", &G::rigid_filled),
+                    field<for_rigid | zero_asleep>("room_mass", "kg", &G::room_mass),
                     field<for_pores | summed>("grain_volume", "m3", &G::grain_volume),
                     field<for_pores | summed>("drag_resistance", "N s/m", &G::drag_resistance),
                     field<for_inertial_drag | summed>("inertial_resistance", "N s2/m2", &G::inertial_resistance),
@@ -340,8 +360,10 @@ struct Grid : GridFields {
   std::vector<EnclosedCells> enclosed;  ///< of the bodies with PressureSupport::enclosed
 
   // Only where fields meet at a sharp interface:
-  Outline<Dim> outline;                   ///< of the sharp membrane whose body moves with this field; else empty
-  std::vector<PartCell<Dim>> part_cells;  ///< of which this field has a part
+  Outline<Dim> outline;                     ///< of the sharp membrane whose body moves with this field; else empty
+  std::vector<PartCell<Dim>> part_cells;    ///< of which this field has a part
+  std::vector<RigidPart<Dim>> rigid_parts;  ///< of which rigid bodies that its particles touch have a part
+  std::vector<HeldShift<Dim>> held_shifts;
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };

@@ -205,6 +205,8 @@ struct RigidContact {
   double friction_work = 0, damping_work = 0;                ///< turned into heat so far [J]
   double driving_work = 0;                                   ///< done by the motion of the rigid body so far [J]
   RareList<std::uint32_t> piece;  ///< of each point on a polygon or polyline: its edge, or edges + corner; else empty
+  RareList<double>
+      pressed_in;  ///< bare, of fluids: the part of `reach` that the pressure at the start presses in, by id [m]
 };
 
 /// Two membranes that touch, or the folds of one, see contact/membrane_contact.
