@@ -173,7 +173,9 @@ void follow_flow(const RigidSurface& surface, double dt, const Body<2>& body, co
     const double at_start = contact.reach[point.id];
     const double spread = dt * gap->normal.dot(grid_velocity(grid, point.x, body.half_size) - point.v);
     const double change = touch_share(gap->size, point.reach) * (spread + back * (at_start - point.reach));
-    contact.half_width[point.id] = std::clamp(point.reach + change, least * at_start, most * at_start);
+    const double pressed_in = contact.pressed_in[point.id], width = at_start - pressed_in;
+    contact.half_width[point.id] =
+        pressed_in + std::clamp(point.reach + change - pressed_in, least * width, most * width);
   }
 }
 

@@ -175,3 +175,22 @@ TEST_CASE("A uniform pressure of particles and the contact that bears it leave n
     for (int a = 0; a < 2; ++a) CHECK(std::abs(it.grid.force[it.grid.layout.index({i, 4})][a]) < 0.01 * scale);
   }
 }
+
+TEST_CASE(
+    "Water that flattens against a soft surface keeps a width beside the depth that its pressure pressed it in by") {
+  std::vector<std::string> settings = at(0.53);
+  settings.push_back("contacts.0.stiffness=0.005");
+  Ready it(settings);
+  RigidContact<2>& contact = it.state.rigid_contacts[0];
+  int deep = 0;
+  for (std::size_t id = 0; id < contact.reach.size(); ++id)
+    if (contact.pressed_in[id] > 0.5 * contact.reach[id]) ++deep;
+  REQUIRE(deep > 10);
+  Body<2>& water = it.state.bodies[0];
+  constexpr double dt = 1e-3;
+  for (int step = 0; step < 100; ++step) {
+    for (std::size_t p = 0; p < water.size(); ++p) water.v[0][p] = -100 * (water.x[0][p] - 0.53);
+    it.run_until("interface_force", dt);
+  }
+  for (std::size_t id = 0; id < contact.reach.size(); ++id) CHECK(contact.half_width[id] > contact.pressed_in[id]);
+}
