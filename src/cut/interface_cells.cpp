@@ -331,6 +331,20 @@ void fill_with_grains(Grid<Dim>& water) {
 
 }  // namespace
 
+namespace {
+
+/// How often what a cell has counts at a node: on a wall that the cell is off, with the image beyond.
+template <int Dim>
+int with_images(const GridLayout<Dim>& layout, const std::array<int, Dim>& from, int flat) {
+  const std::array<int, Dim> place = stored_cell(layout, flat);
+  int counts = 1;
+  for (int a = 0; a < Dim; ++a)
+    if (on_wall(layout, a, place[a]) && from[a] != place[a]) counts *= 2;
+  return counts;
+}
+
+}  // namespace
+
 template <int Dim>
 void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
   const GridLayout<Dim>& layout = grids.front().layout;

@@ -194,7 +194,8 @@ void update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, co
   const double m = grid.sum[flat][3];
   Vec4 velocity{}, change{};
   if (m > 0) {
-    const double light = light_mass<Dim>(grid, node);
+    // No node counts as light above Grid::light_mass: most are not asked for their own limit.
+    const double light = m < grid.light_mass ? light_mass<Dim>(grid, node) : 0.0;
     const double inv_m = 1 / m, carried = m < light ? 1 / light : inv_m;
     change = impulse * carried + step.gravity;
     velocity = grid.sum[flat] * inv_m + change;
@@ -253,14 +254,17 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
 template <int Dim>
 void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
   if (node_of_seam(grid.layout, flat) != flat) return;
+  const std::array<int, Dim> node = stored_cell(grid.layout, flat);
   double mass = 0;
-  for_masses_around<Dim>(grid, flat, [&](int, double m) { mass += m; });
+  for_masses_around<Dim>(grid, flat, node, [&](int, double m) { mass += m; });
   impulse[3] = 0;
-  const std::array<bool, Dim> held = held_by_walls(grid.layout, flat);
-  for (int a = 0; a < Dim; ++a)
-    if (held[a]) impulse[a] = 0;
+  if (!far_from_walls<Dim>(grid.layout, 1, node)) {
+    const std::array<bool, Dim> held = held_by_walls(grid.layout, flat);
+    for (int a = 0; a < Dim; ++a)
+      if (held[a]) impulse[a] = 0;
+  }
   const Vec4 change = impulse / mass;
-  for_masses_around<Dim>(grid, flat, [&](int neighbour, double m) {
+  for_masses_around<Dim>(grid, flat, node, [&](int neighbour, double m) {
     if (m <= 0) return;
     const int other = node_of_seam(grid.layout, neighbour);
     const Vec4 here = m / grid.sum[neighbour][3] * change;
@@ -273,11 +277,13 @@ void share_left_over(Grid<Dim>& grid, int flat, Vec4 impulse) {
 
 template <int Dim>
 Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& node) {
-  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, node);
+  const double mass = grid.sum[flat][3];
+  if (mass >= grid.light_mass) return grid.velocity[flat];
+  const double light = light_mass<Dim>(grid, node);
   if (mass >= light) return grid.velocity[flat];
   Vec4 momentum{};
   double around = 0;
-  for_masses_around<Dim>(grid, flat, [&](int other, double m) {
+  for_masses_around<Dim>(grid, flat, node, [&](int other, double m) {
     momentum += m * grid.velocity[other];
     around += m;
   });

@@ -6,6 +6,7 @@
 #include <geodrop/state/state.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "neighbourhood.hpp"
 
@@ -18,23 +19,18 @@ bool on_wall(const GridLayout<Dim>& layout, int axis, int stored) {
   return !layout.periodic(axis) && (at == 0 || at == layout.cells[axis]);
 }
 
-/// How often a cell or node counts beside another one: on a wall that the other one is off, with its image beyond.
-template <int Dim>
-int with_images(const GridLayout<Dim>& layout, const std::array<int, Dim>& from, int flat) {
-  const std::array<int, Dim> place = stored_cell(layout, flat);
-  int counts = 1;
-  for (int a = 0; a < Dim; ++a)
-    if (on_wall(layout, a, place[a]) && from[a] != place[a]) counts *= 2;
-  return counts;
-}
-
-/// f(node, mass) for the nodes around one: masses as they would be without walls.
+/// f(node, mass) for the nodes around one, given by its stored coordinates: masses as they would be without walls.
 template <int Dim, class F>
-void for_masses_around(const Grid<Dim>& grid, int flat, F&& f) {
-  const std::array<int, Dim> node = stored_cell(grid.layout, flat);
-  const bool far = far_from_walls<Dim>(grid.layout, 1, node);
-  for_neighbourhood(grid.layout, flat, [&](int other, const auto&) {
-    f(other, (far ? 1 : with_images<Dim>(grid.layout, node, other)) * grid.sum[other][3]);
+void for_masses_around(const Grid<Dim>& grid, int flat, const std::type_identity_t<std::array<int, Dim>>& node, F&& f) {
+  if (far_from_walls<Dim>(grid.layout, 1, node)) {
+    for_neighbourhood(grid.layout, flat, [&](int other, const auto&) { f(other, grid.sum[other][3]); });
+    return;
+  }
+  for_neighbourhood(grid.layout, flat, [&](int other, const std::array<int, Dim>& at) {
+    int images = 1;
+    for (int a = 0; a < Dim; ++a)
+      if (at[a] != 1 && on_wall(grid.layout, a, node[a] + at[a] - 1)) images *= 2;
+    f(other, images * grid.sum[other][3]);
   });
 }
 
@@ -77,14 +73,15 @@ std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat);
 /// rest to the nodes around, by their mass. False if nothing around has mass: the rest goes nowhere.
 template <int Dim, class F>
 bool for_shares_of_impulse(const Grid<Dim>& grid, int flat, F&& f) {
-  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, stored_cell(grid.layout, flat));
+  const std::array<int, Dim> node = stored_cell(grid.layout, flat);
+  const double mass = grid.sum[flat][3], light = light_mass<Dim>(grid, node);
   const double kept = std::min(1.0, mass / light);
   if (kept > 0) f(flat, kept);
   if (!(kept < 1)) return true;
   double around = 0;
-  for_masses_around<Dim>(grid, flat, [&](int, double m) { around += m; });
+  for_masses_around<Dim>(grid, flat, node, [&](int, double m) { around += m; });
   if (around <= 0) return false;
-  for_masses_around<Dim>(grid, flat, [&](int other, double m) {
+  for_masses_around<Dim>(grid, flat, node, [&](int other, double m) {
     if (m > 0) f(other, (1 - kept) * m / around);
   });
   return true;

@@ -34,9 +34,13 @@ WideRow<Dim> light_row(const Grid<Dim>& grid, int count, const std::array<int, D
   node[1] += y - 1;
   if constexpr (Dim == 3) node[2] += z - 1;
   WideRow<Dim> light{};
-  for (int k = 0; k < count + 2; ++k) {
-    node[0] = cell[0] + k - 1;
-    light[k] = light_mass<Dim>(grid, node);
+  if (grid.layout.graded() || !far_from_walls<Dim>(grid.layout, count, cell)) {
+    for (int k = 0; k < count + 2; ++k) {
+      node[0] = cell[0] + k - 1;
+      light[k] = light_mass<Dim>(grid, node);
+    }
+  } else {
+    std::fill_n(light.begin(), count + 2, grid.light_mass);
   }
   return light;
 }
@@ -71,7 +75,12 @@ bool may_swing(const Grid<Dim>& grid, int begin, int count, const std::array<int
     if (grid.cell_flags[flat] & cell_filled) least = std::min(least, grid.cell_volume[flat]);
   constexpr double most_square = 0.5 * Dim;  // of sum |int grad N|^2: 1/2 along an axis, at most 1 across
   const double stiffness = grid.largest_modulus * square(dt * face_measure(grid.layout));
-  const double least_light = grid.light_mass * (far_from_walls<Dim>(grid.layout, count, cell) ? 1 : std::pow(0.5, Dim));
+  double least_light = grid.light_mass;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const int lower = cell[axis] - 1, upper = cell[axis] + (axis == 0 ? count : 1), wall = GridLayout<Dim>::pad;
+    const int other_wall = wall + grid.layout.cells[axis];
+    if (lower <= wall || (lower <= other_wall && upper >= other_wall)) least_light *= 0.5;
+  }
   return stiffness * most_square > most_swing * least * std::max(lightest, least_light);
 }
 
