@@ -359,11 +359,11 @@ struct Grid : GridFields {
 
   std::vector<EnclosedCells> enclosed;  ///< of the bodies with PressureSupport::enclosed
 
-  // Only where fields meet at a sharp interface:
+  // Only where fields meet at a sharp interface, or a fluid ends at a rigid body:
   Outline<Dim> outline;                     ///< of the sharp membrane whose body moves with this field; else empty
   std::vector<PartCell<Dim>> part_cells;    ///< of which this field has a part
   std::vector<RigidPart<Dim>> rigid_parts;  ///< of which rigid bodies that its particles touch have a part
-  std::vector<HeldShift<Dim>> held_shifts;
+  std::vector<HeldShift<Dim>> held_shifts;  ///< of particles that touch a rigid body, in this step
 
   Array<double> chunk_maxima;  ///< scratch of grid_to_particles: speed, displacement per chunk
 };
