@@ -17,14 +17,15 @@
 
 namespace geodrop {
 
-/// int grad N over a cell.
+/// int N and int N' of the nodes below, at and above over (a part of) a span of each axis [its width, -].
 template <std::size_t dim>
-Slope<dim> whole_cell(const std::array<SpanShape, dim>& cell) {
+struct AlongAxes {
   std::array<std::array<double, 3>, dim> value, slope;
-  for (std::size_t a = 0; a < dim; ++a) {
-    value[a] = cell[a].values();
-    slope[a] = cell[a].slopes();
-  }
+};
+
+/// int grad N over a cell, by the integrals along its axes.
+template <std::size_t dim>
+Slope<dim> product_of(const std::array<SpanShape, dim>& cell, const AlongAxes<dim>& along) {
   Slope<dim> whole;
   for (std::size_t n = 0; n < whole.size(); ++n) {
     const std::array<std::size_t, 3> at{n % 3, n / 3 % 3, n / 9};
@@ -32,11 +33,22 @@ Slope<dim> whole_cell(const std::array<SpanShape, dim>& cell) {
       double product = 1;
       for (std::size_t b = 0; b < dim; ++b)
         if (b != a) product *= cell[b].width;
-      for (std::size_t b = 0; b < dim; ++b) product *= (b == a ? slope : value)[b][at[b]];
+      for (std::size_t b = 0; b < dim; ++b) product *= (b == a ? along.slope : along.value)[b][at[b]];
       whole[n][a] = product;
     }
   }
   return whole;
+}
+
+/// int grad N over a cell.
+template <std::size_t dim>
+Slope<dim> whole_cell(const std::array<SpanShape, dim>& cell) {
+  AlongAxes<dim> along;
+  for (std::size_t a = 0; a < dim; ++a) {
+    along.value[a] = cell[a].values();
+    along.slope[a] = cell[a].slopes();
+  }
+  return product_of(cell, along);
 }
 
 /// Hands what the nodes beyond walls have on to their mirror images, as grid/momentum's fold_walls does, and leaves out
@@ -53,8 +65,7 @@ void fold_at_walls(const GridLayout<Dim>& layout, int flat, std::type_identity_t
     for (int n = 0; n < nodes_around<Dim>; ++n) {
       if (n / step[axis] % 3 != (lower ? 0 : 2)) continue;
       for (int a = 0; a < Dim; ++a) {
-        const double sign = a != axis && wall == WallKind::slip ? 1 : -1;
-        slope[n + (lower ? 2 : -2) * step[axis]][a] += sign * slope[n][a];
+        slope[n + (lower ? 2 : -2) * step[axis]][a] += mirror_sign(wall, axis, a) * slope[n][a];
         slope[n][a] = 0;
       }
     }
@@ -85,24 +96,16 @@ inline HalfSpan half_span(const SpanShape& span, bool upper_half) {
 template <int Dim>
 Slope<Dim> slopes_in_domain(const GridLayout<Dim>& layout, int flat) {
   const std::array<int, Dim> place = stored_cell(layout, flat);
-  if (far_from_walls<Dim>(layout, 1, place)) return whole_cell(spans_of(layout, flat));
-  std::array<std::array<double, 3>, Dim> value, slope;
+  const CellSpans<Dim> spans = spans_of(layout, flat);
+  if (far_from_walls<Dim>(layout, 1, place)) return whole_cell(spans);
+  AlongAxes<Dim> along;
   for (int a = 0; a < Dim; ++a) {
-    const SpanShape span = layout.span_shape(a, place[a]);
     const bool at_wall = on_wall(layout, a, place[a]);
-    const HalfSpan half = half_span(span, place[a] == layout.pad);
-    value[a] = at_wall ? half.value : span.values();
-    slope[a] = at_wall ? half.slope : span.slopes();
-    for (double& v : value[a]) v *= span.width;
+    const HalfSpan half = half_span(spans[a], place[a] == layout.pad);
+    along.value[a] = at_wall ? half.value : spans[a].values();
+    along.slope[a] = at_wall ? half.slope : spans[a].slopes();
   }
-  Slope<Dim> in_domain;
-  for (std::size_t n = 0; n < in_domain.size(); ++n) {
-    const std::array<std::size_t, 3> at{n % 3, n / 3 % 3, n / 9};
-    for (int a = 0; a < Dim; ++a) {
-      in_domain[n][a] = 1;
-      for (int b = 0; b < Dim; ++b) in_domain[n][a] *= (b == a ? slope : value)[b][at[b]];
-    }
-  }
+  Slope<Dim> in_domain = product_of(spans, along);
   fold_at_walls(layout, flat, in_domain);
   return in_domain;
 }

@@ -62,10 +62,13 @@ class CellParts {
     if (near_.empty()) return;
     part_ = {flat, {}, {}, {outward_[0], outward_[1]}};
     area_ = 0;
+    std::array<std::array<PartOfSpan, parts>, 2> along;
+    for (int a = 0; a < 2; ++a)
+      for (int k = 0; k < parts; ++k) along[a][k] = part_of_span(spans[a], k);
     for (int j = 0; j < parts; ++j)
       for (int i = 0; i < parts; ++i) {
         const Vec<2> x = middle + width.cwiseProduct(Vec<2>(i + 0.5, j + 0.5) / parts - Vec<2>(0.5, 0.5));
-        if (in_domain(x)) add_box({part_of_span(spans[0], i), part_of_span(spans[1], j)}, cell, x, width / parts);
+        if (in_domain(x)) add_box({along[0][i], along[1][j]}, cell, x, width / parts);
       }
     if (area_ == 0) return;
     grid_.rigid_cells[flat] = std::min(1.0, area_ / size_in_domain(layout, flat));

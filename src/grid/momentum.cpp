@@ -45,22 +45,15 @@ std::array<bool, Dim> held_by_walls(const GridLayout<Dim>& layout, int flat) {
   std::array<bool, Dim> fixed{};
   const std::array<int, Dim> stored = stored_cell(layout, flat);
   for (int a = 0; a < Dim; ++a) {
-    const int at = stored[a] - layout.pad;
-    if (layout.periodic(a) || (at != 0 && at != layout.cells[a])) continue;
+    if (!on_wall(layout, a, stored[a])) continue;
     fixed[a] = true;
-    const WallKind wall = at == 0 ? layout.lower_wall[a] : layout.upper_wall[a];
+    const WallKind wall = stored[a] == layout.pad ? layout.lower_wall[a] : layout.upper_wall[a];
     if (wall == WallKind::no_slip) fixed.fill(true);
   }
   return fixed;
 }
 
 namespace {
-
-/// Sign of component `component` under reflection at a wall normal to `axis`.
-double mirror_sign(WallKind wall, int axis, int component) {
-  if (axis == component) return -1;
-  return wall == WallKind::slip ? 1 : -1;
-}
 
 template <int Dim>
 Vec4 mirror(WallKind wall, int axis, Vec4 record) {

@@ -19,6 +19,12 @@ bool on_wall(const GridLayout<Dim>& layout, int axis, int stored) {
   return !layout.periodic(axis) && (at == 0 || at == layout.cells[axis]);
 }
 
+/// Sign of component `component` under reflection at a wall normal to `axis`.
+inline double mirror_sign(WallKind wall, int axis, int component) {
+  if (axis == component) return -1;
+  return wall == WallKind::slip ? 1 : -1;
+}
+
 /// f(node, mass) for the nodes around one, given by its stored coordinates: masses as they would be without walls.
 template <int Dim, class F>
 void for_masses_around(const Grid<Dim>& grid, int flat, const std::type_identity_t<std::array<int, Dim>>& node, F&& f) {

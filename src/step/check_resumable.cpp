@@ -210,8 +210,6 @@ void check_rigid_contact(const State<Dim>& state, const RigidContact<Dim>& built
   part.require(contact.slip.size() == slips * contact.points.size() && contact.side.size() == contact.points.size(),
                "another number of points than of what is known of them");
   part.require(contact.half_width.size() == contact.reach.size(), "another number of half widths than of particles");
-  part.require(contact.pressed_in.empty() || contact.pressed_in.size() == contact.reach.size(),
-               "another number of depths than of particles");
   std::size_t points = contact.reach.size();
   for (const Membrane<Dim>& membrane : state.membranes)
     if (!contact.bare && membrane.name == contact.touching) points = membrane.nodes();

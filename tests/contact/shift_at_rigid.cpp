@@ -1,58 +1,39 @@
-// The shift that particles on the surface of a rigid body do not do.
+// Particles of water on the surface of a rigid body: where contact acts, and the shift that they do not do.
 #include "contact/shift_at_rigid.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
-#include <numbers>
-#include <numeric>
 
-#include "grid/cell_pressure.hpp"
-#include "grid/sort_particles.hpp"
 #include "support/near.hpp"
-#include "support/scene_files.hpp"
+#include "support/water_at_plane.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;
 
-namespace {
-
-/// Water beside a rigid half-plane, h = 0.125 m, its particles sorted.
-struct Ready {
-  Scene scene;
-  State<2> state;
-  Grids<2> grids;
-  Grid<2>& grid = grids[0];
-  Pipeline<2> pipeline;
-
-  explicit Ready(const std::vector<std::string>& settings = {})
-      : scene(read_scene(source_path("tests/scenes/water_at_rigid_wall.toml"), settings)),
-        state(build_state<2>(scene)),
-        grids(make_grids<2>(scene)),
-        pipeline(build_pipeline<2>(scene)) {
-    sort_particles_if_due(state, grids);
+TEST_CASE("A uniform pressure of particles and the contact that bears it leave no force on any node") {
+  WaterAtPlane it({"bodies.water.pressure=particle", "gravity=[0,0]", "bodies.water.initial_stress={type=\"zero\"}"});
+  constexpr double pressure = 1e4, depth = 1e-7;
+  const double bulk = 1000 * 40.0 * 40.0;
+  Body<2>& water = it.state.bodies[0];
+  for (double& J : water.J) J = 1 / (1 + pressure / bulk);
+  for (std::size_t p = 0; p < water.size(); ++p) {
+    water.x[0][p] -= depth;
+    water.mass[p] /= water.J[p];  // volumes stay those of the lattice
   }
-  /// Runs the rows of one step before the one of this name.
-  void run_until(const std::string& last) {
-    StepContext step{0, state.t, state.step};
-    for (Row<2>& row : pipeline) {
-      if (row.name == last) return;
-      row.run(state, grids, step);
-    }
+  RigidContact<2>& contact = it.state.rigid_contacts[0];
+  contact.stiffness = pressure / depth;
+  for (double& width : contact.half_width) width = 0.125 / 4;
+  it.run_until("fold_walls");
+  const double scale = pressure * it.grid.layout.h;
+  for (int i = 2; i <= 7; ++i) {
+    CAPTURE(i);
+    for (int a = 0; a < 2; ++a) CHECK(std::abs(it.grid.force[it.grid.layout.index({i, 4})][a]) < 0.01 * scale);
   }
-};
-
-/// The half-plane and the edge of the water at x [m].
-std::vector<std::string> at(double x) {
-  const std::string place = "[" + std::to_string(x) + ",0]";
-  return {"rigid.paddle.shape.point=" + place, "bodies.water.shape.lower=" + place};
 }
 
-}  // namespace
-
 TEST_CASE("What touches does not shift along the normal, what does not touch shifts as it would") {
-  Ready it(at(0.53));
+  WaterAtPlane it(at(0.53));
   it.run_until("held_shift");
   Body<2>& water = it.state.bodies[0];
   RigidContact<2>& contact = it.state.rigid_contacts[0];

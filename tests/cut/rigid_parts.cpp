@@ -2,57 +2,19 @@
 #include "cut/rigid_parts.hpp"
 
 #include <doctest/doctest.h>
-#include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
-#include <numbers>
-#include <numeric>
 
 #include "contact/rigid_surface.hpp"
 #include "cut/cells_around.hpp"
 #include "grid/cell_pressure.hpp"
-#include "grid/sort_particles.hpp"
 #include "support/near.hpp"
-#include "support/scene_files.hpp"
+#include "support/water_at_plane.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;
 
 namespace {
-
-/// Water beside a rigid half-plane, h = 0.125 m, its particles sorted and the parts of the rigid body found.
-struct Ready {
-  Scene scene;
-  State<2> state;
-  Grids<2> grids;
-  Grid<2>& grid = grids[0];
-  Pipeline<2> pipeline;
-
-  explicit Ready(const std::vector<std::string>& settings = {})
-      : scene(read_scene(source_path("tests/scenes/water_at_rigid_wall.toml"), settings)),
-        state(build_state<2>(scene)),
-        grids(make_grids<2>(scene)),
-        pipeline(build_pipeline<2>(scene)) {
-    sort_particles_if_due(state, grids);
-    find_rigid_parts(state, grid);
-  }
-  /// Runs the rows of one step up to the one of this name.
-  void run_until(const std::string& last, double dt = 0) {
-    StepContext step{dt, state.t, state.step};
-    for (Row<2>& row : pipeline) {
-      if (row.name == last) return;
-      row.run(state, grids, step);
-    }
-  }
-  double cell(int i, int j) const { return grid.rigid_cells[grid.layout.index({i, j})]; }
-  double spline(int i, int j) const { return grid.rigid_splines[grid.layout.index({i, j})]; }
-};
-
-/// The half-plane and the edge of the water at x [m].
-std::vector<std::string> at(double x) {
-  const std::string place = "[" + std::to_string(x) + ",0]";
-  return {"rigid.paddle.shape.point=" + place, "bodies.water.shape.lower=" + place};
-}
 
 /// The water to the right of a plane through (x, 0) whose foot leans by `lean` [m] over its depth of 1 m.
 std::vector<std::string> leaning(double x, double lean) {
@@ -66,7 +28,7 @@ std::vector<std::string> leaning(double x, double lean) {
 TEST_CASE("A plane along the grid has its exact share of each cell, and shares of splines add up to its area") {
   for (const double x : {0.5, 0.53, 0.61}) {
     CAPTURE(x);
-    const Ready it(at(x));
+    const WaterAtPlane it(at(x));
     const double h = it.grid.layout.h;
     double cells = 0;
     for (int i = 3; i <= 6; ++i) {
@@ -83,7 +45,7 @@ TEST_CASE("A plane along the grid has its exact share of each cell, and shares o
 }
 
 TEST_CASE("Cells that the surface cuts have a pressure, and shift as their neighbours do") {
-  Ready it(at(0.53));
+  WaterAtPlane it(at(0.53));
   it.run_until("particles_to_grid");
   const auto flags = [&](int i, int j) { return it.grid.cell_flags[it.grid.layout.index({i, j})]; };
   CHECK((flags(4, 3) & cell_filled) != 0);
@@ -100,7 +62,7 @@ TEST_CASE("Slopes over the parts of rigid bodies are those of polynomials that t
   // sum_i x_i grad N_i = I and sum_i x_i y_i grad N_i = (y, x): exact over the part of each cell, whose area and first
   // moments are known from a fine division of it.
   for (const auto& settings : {at(0.53), leaning(0.8, 0.37), leaning(1.3, -0.9)}) {
-    const Ready it(settings);
+    const WaterAtPlane it(settings);
     const GridLayout<2>& layout = it.grid.layout;
     const RigidSurface surface(it.state.rigid[0]);
     REQUIRE(it.grid.rigid_parts.size() > 20);
@@ -139,7 +101,7 @@ TEST_CASE(
     "Water laid in beside a rigid plane starts in equilibrium: pressures of cut cells, contact and weight balance") {
   // With the weight of the particles nodes of small mass start with up to a tenth of g.
   for (const auto& settings : {at(0.5), at(0.53), at(0.61)}) {
-    Ready it(settings);
+    WaterAtPlane it(settings);
     constexpr double dt = 1e-4;
     it.run_until("volume_rate", dt);
     const GridLayout<2>& layout = it.grid.layout;
@@ -155,32 +117,11 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A uniform pressure of particles and the contact that bears it leave no force on any node") {
-  Ready it({"bodies.water.pressure=particle", "gravity=[0,0]", "bodies.water.initial_stress={type=\"zero\"}"});
-  constexpr double pressure = 1e4, depth = 1e-7;
-  const double bulk = 1000 * 40.0 * 40.0;
-  Body<2>& water = it.state.bodies[0];
-  for (double& J : water.J) J = 1 / (1 + pressure / bulk);
-  for (std::size_t p = 0; p < water.size(); ++p) {
-    water.x[0][p] -= depth;
-    water.mass[p] /= water.J[p];  // volumes stay those of the lattice
-  }
-  RigidContact<2>& contact = it.state.rigid_contacts[0];
-  contact.stiffness = pressure / depth;
-  for (double& width : contact.half_width) width = 0.125 / 4;
-  it.run_until("fold_walls");
-  const double scale = pressure * it.grid.layout.h;
-  for (int i = 2; i <= 7; ++i) {
-    CAPTURE(i);
-    for (int a = 0; a < 2; ++a) CHECK(std::abs(it.grid.force[it.grid.layout.index({i, 4})][a]) < 0.01 * scale);
-  }
-}
-
 TEST_CASE(
     "Water that flattens against a soft surface keeps a width beside the depth that its pressure pressed it in by") {
   std::vector<std::string> settings = at(0.53);
   settings.push_back("contacts.0.stiffness=0.005");
-  Ready it(settings);
+  WaterAtPlane it(settings);
   RigidContact<2>& contact = it.state.rigid_contacts[0];
   int deep = 0;
   for (std::size_t id = 0; id < contact.reach.size(); ++id)
