@@ -124,8 +124,10 @@ Vec<2> push_node(const Pass& pass, const MembraneContact<2>& contact, double dt,
   const Vec<2> along(-normal[1], normal[0]);
   const Vec<2> v = vector_at(pass.slave.v, k) - (1 - foot.share) * vector_at(pass.master.v, foot.segment) -
                    foot.share * vector_at(pass.master.v, end);
-  const PenaltyForce push = penalty_force(penalty_of(contact, 0.5 * node_length(pass.slave, k)), -gap, normal.dot(v),
-                                          pass.slip[k] + dt * along.dot(v));
+  const double rubbing = std::min(rubbing_pressure(pass.slave, k), std::min(rubbing_pressure(pass.master, foot.segment),
+                                                                            rubbing_pressure(pass.master, end)));
+  const PenaltyForce push = penalty_force(penalty_of(contact, 0.5 * node_length(pass.slave, k), rubbing), -gap,
+                                          normal.dot(v), pass.slip[k] + dt * along.dot(v));
   pass.slip[k] = push.stretch;
   Vec<2> force = push.normal * normal + push.friction * along;
   add_load(pass.slave, k, force);

@@ -1,9 +1,11 @@
 // The law of every contact: a penalty normal to the surface, Coulomb friction along it.
 //
-//   f_n = max(0, k l d - z l v_n),   f_t = -k l xi, cut to |f_t| <= mu f_n
+//   f_n = max(0, k l d - z l v_n),   f_t = -k l xi, cut to |f_t| <= mu min(f_n, p' l)
 //
 // of a point with d, depth of penetration; v_n, normal velocity over the surface, positive out of it; l, length of
-// surface that belongs to the point; xi, stretch of its tangential spring, which slips where f_t is cut.
+// surface that belongs to the point; xi, stretch of its tangential spring, which slips where f_t is cut; p', of a
+// membrane that lets water through the effective pressure of the soil inside on it: the rest of f_n is that of water,
+// which does not rub (Terzaghi). Of all others p' has no end.
 #pragma once
 
 #include <geodrop/base/types.hpp>
@@ -11,6 +13,7 @@
 #include <geodrop/scene/scene.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace geodrop {
 
@@ -19,12 +22,13 @@ struct Penalty {
   double spring;    ///< k l [N/m]
   double dashpot;   ///< z l [N s/m]
   double friction;  ///< mu [-]
+  double bearing;   ///< p' l, largest part of the normal force that rubs [N]
 };
 
-/// `contact`: has stiffness k [Pa/m], damping z [Pa s/m] and friction; `length` l [m].
+/// `contact`: has stiffness k [Pa/m], damping z [Pa s/m] and friction; `length` l [m]; `pressure` p', see above [Pa].
 template <class Contact>
-Penalty penalty_of(const Contact& contact, double length) {
-  return {contact.stiffness * length, contact.damping * length, contact.friction};
+Penalty penalty_of(const Contact& contact, double length, double pressure = std::numeric_limits<double>::infinity()) {
+  return {contact.stiffness * length, contact.damping * length, contact.friction, pressure * length};
 }
 
 /// Stiffness and damping of a contact with a body of a material, in cells of width h [m].
@@ -54,7 +58,8 @@ struct PenaltyForce {
 
 inline PenaltyForce penalty_force(const Penalty& penalty, double depth, double v_n, double stretch) {
   const double elastic = penalty.spring * depth, normal = std::max(0.0, elastic - penalty.dashpot * v_n);
-  const double limit = penalty.friction * normal, friction = std::clamp(-penalty.spring * stretch, -limit, limit);
+  const double limit = penalty.friction * std::min(normal, penalty.bearing);
+  const double friction = std::clamp(-penalty.spring * stretch, -limit, limit);
   return {elastic, normal, friction, -friction / penalty.spring};
 }
 

@@ -13,7 +13,8 @@
 namespace geodrop {
 
 Row<2> membrane_contact_row(const Scene& scene) {
-  return {"membrane_contact", Data::membrane_position | Data::membrane_velocity | Data::rigid_bodies,
+  return {"membrane_contact",
+          Data::membrane_position | Data::membrane_velocity | Data::membrane_cloth | Data::rigid_bodies,
           Data::membrane_load | Data::contacts, any_membrane_contact(scene),
           [](State<2>& s, const Grids<2>&, const StepContext& step) {
             add_contact_forces(s, step.dt);

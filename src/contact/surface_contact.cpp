@@ -53,7 +53,7 @@ Vec<2> push(const RigidSurface& surface, const ContactPoint& point, const RigidS
   const double v_n = gap.normal.dot(v);
   slip += dt * along.dot(v);
   const PenaltyForce force =
-      penalty_force(penalty_of(contact, gap.share * point.length), point.reach - gap.size, v_n, slip);
+      penalty_force(penalty_of(contact, gap.share * point.length, point.rubbing), point.reach - gap.size, v_n, slip);
   contact.friction_work += std::abs(force.friction) * std::abs(slip - force.stretch);
   contact.damping_work += (force.elastic - force.normal) * v_n * dt;
   contact.points.push_back(point.id);
@@ -74,7 +74,8 @@ void add_membrane_contact(const RigidSurface& surface, double dt, Membrane<2>& m
   std::vector<ContactPoint> points;
   if (surface.may_touch(box.lower, box.upper, 0))
     for (std::uint32_t k = 0; k < membrane.nodes(); ++k)
-      points.push_back({k, vector_at(membrane.x, k), vector_at(membrane.v, k), node_length(membrane, k), 0});
+      points.push_back({k, vector_at(membrane.x, k), vector_at(membrane.v, k), node_length(membrane, k), 0,
+                        rubbing_pressure(membrane, k)});
   const std::vector<SurfaceForce> forces = contact_forces(surface, points, dt, contact);
   for (const SurfaceForce& on : forces)
     for (int a = 0; a < 2; ++a) membrane.load[a][points[on.point].id] += on.force[a];

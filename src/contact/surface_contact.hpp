@@ -11,6 +11,7 @@
 #include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <limits>
 #include <vector>
 
 #include "rigid_surface.hpp"
@@ -28,10 +29,11 @@ const Body<Dim>& touching_body(const State<Dim>& state, const RigidContact<Dim>&
 
 /// A membrane node or particle that is about to be looked at.
 struct ContactPoint {
-  std::uint32_t id;  ///< node, or id of the particle
-  Vec<2> x, v;       ///< [m], [m/s]
-  double length;     ///< of surface that belongs to it [m]
-  double reach;      ///< half width: how far its surface is from it [m]
+  std::uint32_t id;                                          ///< node, or id of the particle
+  Vec<2> x, v;                                               ///< [m], [m/s]
+  double length;                                             ///< of surface that belongs to it [m]
+  double reach;                                              ///< half width: how far its surface is from it [m]
+  double rubbing = std::numeric_limits<double>::infinity();  ///< pressure that can rub, see penalty.hpp [Pa]
 };
 
 /// What a point gets, and where: on the surface, no farther than its reach; at the point where nothing touches.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polygon.hpp"
 
@@ -43,6 +44,13 @@ inline std::array<double, 2> tangent_at(const Membrane<2>& membrane, std::size_t
 inline const Array<double>& shear_on_cloth(const Membrane<2>& membrane) {
   const bool tied = membrane.shear == Shear::no_slip && membrane.contents_pressure.empty();
   return tied ? membrane.bed_shear : membrane.water_shear;
+}
+
+/// What of the pressure on a node from outside can rub [Pa]. Where the geotextile lets water through, what its grains
+/// bear: the rest is borne by water on both sides (Terzaghi). Without end of all others.
+inline double rubbing_pressure(const Membrane<2>& membrane, std::size_t k) {
+  const bool wet = membrane.permeance > 0 && !membrane.contents_pressure.empty();
+  return wet ? membrane.contents_pressure[k] : std::numeric_limits<double>::infinity();
 }
 
 /// Node masses from the mass of all and the rest lengths beside the nodes, half of each [kg].

@@ -67,7 +67,8 @@ void MembraneSlide::gather(const State<2>& state, const Membrane<2>& membrane) {
     cloth_.load[k] += membrane.load[0][k] * tx + membrane.load[1][k] * ty;
     // What touches soil in cloth holds the cloth, too. Over a fluid that would leave slack stretches undetermined.
     if (membrane.contents_friction > 0)
-      cloth_.friction[k] = rough * std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty);
+      cloth_.friction[k] = rough * std::min(std::abs(membrane.load[1][k] * tx - membrane.load[0][k] * ty),
+                                            rubbing_pressure(membrane, k) * half_length(cloth_, k));
   }
 }
 
@@ -124,9 +125,9 @@ void MembraneSlide::move_mass(Membrane<2>& membrane) {
 }
 
 void MembraneSlide::slide(const State<2>& state, const Grid<2>& grid, Membrane<2>& membrane) {
+  if (membrane.contents_friction > 0) pressure_.update(state, grid, membrane);
   gather(state, membrane);
   if (membrane.contents_friction > 0) {
-    pressure_.update(state, grid, membrane);
     for (std::size_t k = 0; k < membrane.nodes(); ++k) {
       const double length = half_length(cloth_, k);
       cloth_.friction[k] += membrane.contents_friction * membrane.contents_pressure[k] * length;

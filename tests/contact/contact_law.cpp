@@ -56,6 +56,19 @@ TEST_CASE("Work of friction is the slip times the limit; work of damping z l v^2
   CHECK(contact.damping_work == near(1e3 * length * 0.01 * dt, 1e-9));
 }
 
+TEST_CASE("Friction is mu times the part of the normal force that rubs, where that is the lesser") {
+  constexpr double depth = 1e-3, mu = 0.5;
+  for (const double share : {0.25, 2.0}) {
+    CAPTURE(share);
+    RigidContact<2> contact = make_contact(mu, 0);
+    ContactPoint wet = point({0, -depth}, {1, 0});
+    wet.rubbing = share * stiffness * depth;
+    contact_forces(RigidSurface(ground()), {wet}, dt, contact);
+    CHECK(contact.normal_sum == near(stiffness * length * depth, 1e-12));
+    CHECK(contact.friction_sum == near(-mu * std::min(share, 1.0) * stiffness * length * depth, 1e-12));
+  }
+}
+
 TEST_CASE("A surface that moves drags what rests on it") {
   RigidBody<2> belt = ground();
   belt.velocity = {0.02, 0};

@@ -251,6 +251,20 @@ TEST_CASE("Friction sticks as a spring, slips at mu times the normal force, and 
   }
 }
 
+TEST_CASE("Membranes that let water through rub with the lesser of what the grains in both bear") {
+  constexpr double mu = 0.5;
+  for (const auto& [one, other, share] : {std::array{0.2, 0.6, 0.2}, {0.6, 0.2, 0.2}, {3.0, 3.0, 1.0}}) {
+    State<2> state = flat(mu);
+    for (const auto& [m, part] : {std::pair(&state.membranes[0], one), {&state.membranes[1], other}}) {
+      m->permeance = 3e-5;
+      m->contents_pressure.assign(m->nodes(), part * stiffness * depth);
+    }
+    set_velocity(state.membranes[1], 1, 0);
+    step(state);
+    CHECK(resultant(state.membranes[1])[0] == near(-mu * share * state.membrane_contacts[0].normal_force, 1e-9));
+  }
+}
+
 TEST_CASE("Springs of nodes that let go are slack") {
   for (const double height : {1e-4, 5.0}) {  // nearby and far away
     CAPTURE(height);

@@ -154,6 +154,25 @@ TEST_CASE("Friction sticks as a spring, slips at mu times the push, and always o
   }
 }
 
+TEST_CASE("A geotextile that lets water through rubs with what its grains bear, a tight one with all") {
+  constexpr double mu = 0.5, length = 0.15, normal = stiffness * length * 1e-3, grains = 60;  // [N], [Pa]
+  struct Case {
+    double permeance;
+    Array<double> pressure;
+    double friction;
+  };
+  for (const Case& is : {Case{3e-5, {1e6, 1e6, grains}, mu * grains * length}, Case{3e-5, {0, 0, 1e6}, mu * normal},
+                         Case{0, {1e6, 1e6, grains}, mu * normal}, Case{3e-5, {}, mu * normal}}) {
+    State<2> state = line_on_ground(mu);
+    state.membranes[0].permeance = is.permeance;
+    state.membranes[0].contents_pressure = is.pressure;
+    state.membranes[0].v[0][2] = 1;
+    const auto load = load_inside(state);
+    CHECK(load[0] == near(-is.friction, 1e-11));
+    CHECK(load[1] == near(normal, 1e-11));
+  }
+}
+
 TEST_CASE("A node that lets go forgets its spring") {
   State<2> state = line_on_ground(0.5);
   state.membranes[0].v[0][2] = 0.02;

@@ -228,6 +228,27 @@ TEST_CASE("Mass goes with the rest length; mass and momentum of the whole are ke
   }
 }
 
+TEST_CASE("What is rough on both sides holds the cloth, that outside with its force, or with what the grains bear") {
+  constexpr double inside = 0.2, outside = 0.5, grains = 20e3, force = 50e3;  // [-], [-], [Pa], [Pa]
+  for (const auto& [permeance, rubs] : {std::pair(0.0, force), {3e-5, grains}}) {
+    State<2> state = sand_under_cloth(grains, 7e3);
+    Membrane<2>& cloth = state.membranes[0];
+    cloth.contents_friction = inside;
+    cloth.permeance = permeance;
+    RigidContact<2> rough;
+    rough.touching = cloth.name;
+    rough.friction = outside;
+    state.rigid_contacts = {rough};
+    for (auto& component : cloth.load) component.assign(cloth.nodes(), 0.0);
+    cloth.load[1].assign(cloth.nodes(), -force * 0.0625);
+    pull(state, 1e-3);
+    const std::size_t last = cloth.segments() - 1;
+    for (std::size_t s = last - 2; s < last; ++s)
+      CHECK(cloth.tension[s + 1] - cloth.tension[s] ==
+            near((inside * grains + outside * rubs) * 0.5 * (cloth.x[0][s + 2] - cloth.x[0][s]), 0.02));
+  }
+}
+
 TEST_CASE("Cloth that passes whole nodes in a step takes their velocities along; no node gets faster than any was") {
   constexpr std::size_t nodes = 40, passes = 3;
   for (const double way : {1.0, -1.0}) {

@@ -93,7 +93,7 @@ friction = 0.3
 between = ["geotextile", "geotextile"]  # of its folds
 friction = 0.3)", {
       key("between", between, required, reference, "in any order a membrane, or a body without one, and a rigid body; two membranes; or in the plane one membrane twice for its own folds"),
-      key("friction", &ContactSpec::friction, "", required, not_negative, "coefficient of Coulomb friction"),
+      key("friction", &ContactSpec::friction, "", required, not_negative, "coefficient of Coulomb friction; in the plane, of a geotextile with a permittivity, on the effective pressure of the soil inside: water does not rub"),
       key("stiffness", &ContactSpec::stiffness, "", standard("1.0"), penalty_range, "of the penalty: pressure per penetration over P / h, with P the modulus of compression waves of the body that touches, h the cell. The step is at most h / (c sqrt(2 stiffness))"),
       key("damping", &ContactSpec::damping, "", standard("1.0"), share, "of the penalty: pressure per normal velocity over the impedance rho c of the body that touches (of two membranes: of both bodies in series); 1 absorbs what its own waves bring"),
   }};
