@@ -1,5 +1,6 @@
 #include "contact_rows.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodrop {
@@ -59,8 +60,9 @@ void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const 
     if (says == Says::normal) contacts[c].pressure = of_row;
     for_each_share(cells, contacts[c].stretch, [&](std::size_t at, double share) {
       add_traction(contacts[c], cells, says, at, share * of_row);
-      if (says == Says::through && !contacts[c].on_bed)
-        membrane.seepage[at] += share * contacts[c].permeance * (of_row - contacts[c].pressure);
+      if (says != Says::through || contacts[c].on_bed) return;
+      const double flow = share * contacts[c].permeance * (of_row - contacts[c].pressure);
+      membrane.seepage[at] += contacts[c].in_air ? std::max(0.0, flow) : flow;  // no water comes out of air
     });
   }
 }

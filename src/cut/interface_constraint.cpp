@@ -17,8 +17,8 @@
 namespace geodrop {
 namespace {
 
-/// Flow through membranes, q = permeance (p_inside - p_around), in the rows of both sides of a stretch; into the bed
-/// there is none.
+/// Flow through membranes, q = permeance (p_inside - p_around), in the rows of both sides of a stretch; the pressure of
+/// air is 0, and into the bed nothing flows.
 template <int Dim>
 SparseRows flow_through(const ContactRows<Dim>& rows, const std::vector<Contact<Dim>>& contacts, double dt,
                         Eigen::Index size) {
@@ -29,6 +29,7 @@ SparseRows flow_through(const ContactRows<Dim>& rows, const std::vector<Contact<
     const int inside = static_cast<int>(r), around = inside - 1;  // its row comes first
     const double flow = contact.permeance * contact.stretch.size / dt;
     entries.emplace_back(inside, inside, flow);
+    if (contact.in_air) continue;
     entries.emplace_back(around, around, flow);
     entries.emplace_back(inside, around, -flow);
     entries.emplace_back(around, inside, -flow);
@@ -118,7 +119,7 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Contact<Dim>& contact = contacts[c];
     if (contact.stretch.wet) contact.joined = rows.add(said[c].normal, c, Says::normal);
-    const bool holds = contact.joined || !contact.stretch.wet;
+    const bool holds = contact.joined || (!contact.stretch.wet && !contact.lets_air_in);
     const bool tight = holds && !contact.membrane->pore_pressure.empty() && rows.add(said[c].through, c, Says::through);
     contact.has_rows = contact.joined || tight;
     if (!contact.joined || !contact.sticks()) continue;

@@ -17,6 +17,7 @@
 #include "membrane/part_size.hpp"
 #include "membrane/triangles.hpp"
 #include "outline_pieces.hpp"
+#include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -206,10 +207,29 @@ double permeance_over(const Outline<Dim>& cells, const Contact<Dim>& contact) {
   return shares > 0 ? sum / shares : 0.0;
 }
 
+std::size_t corner_of_part(const Membrane<2>& membrane, std::size_t segment, int k) {
+  return k == 0 ? segment : end_of_edge(segment, membrane.nodes());
+}
+std::size_t corner_of_part(const Membrane<3>& membrane, std::size_t triangle, int k) {
+  return membrane.triangles.corner[static_cast<std::size_t>(k)][triangle];
+}
+
+/// Segments or triangles of a membrane all of whose nodes lie on rigid bodies.
+template <int Dim>
+std::vector<bool> parts_on_rigid(const State<Dim>& state, const Membrane<Dim>& membrane) {
+  std::vector<bool> touches(membrane.nodes(), false);
+  for (const RigidContact<Dim>& contact : state.rigid_contacts)
+    if (!contact.bare && contact.touching == membrane.name)
+      for (const std::uint32_t node : contact.points) touches[node] = true;
+  std::vector<bool> out(membrane.pore_pressure.size(), true);
+  for (std::size_t part = 0; part < out.size(); ++part)
+    for (int k = 0; k < Dim; ++k) out[part] = out[part] && touches[corner_of_part(membrane, part, k)];
+  return out;
+}
+
 /// What is beside a stretch.
 template <int Dim>
 void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
-  if (!contact.stretch.wet) return;
   const Membrane<Dim>& membrane = *contact.membrane;
   if (!membrane.bed.empty()) look_for_bed(grids.front(), cells, bed, contact);
   const bool has_axes = Dim == 3 && (contact.rubs() || contact.sticks());
@@ -220,6 +240,28 @@ void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCe
   }
   look_inside(cells, contact);
   contact.permeance = permeance_over(cells, contact);
+}
+
+/// Whether a dry stretch lies in air: no body beside it, and less than half of it on rigid bodies. Where the water
+/// inside presses on it some flows out, else air may come in.
+template <int Dim>
+void look_for_air(const Grids<Dim>& grids, const Outline<Dim>& cells, const std::vector<bool>& on_rigid,
+                  Contact<Dim>& contact) {
+  const Grid<Dim>&around = grids.front(), &water = grids[grids[contact.membrane->field].pore_water];
+  double pressure = 0;
+  for_each_cell_of(cells, contact.stretch, [&](int cell) {
+    const int flat = flat_of(around.layout, cells, cell);
+    contact.in_air = contact.in_air || is_in_air(around, flat);
+    pressure += water.cell_pressure[flat];
+  });
+  double pressed = 0;
+  for_each_share(cells, contact.stretch, [&](std::size_t part, double share) {
+    if (on_rigid[part]) pressed += share * size_of(*contact.membrane, part);
+  });
+  contact.in_air = contact.in_air && pressed < 0.5 * contact.stretch.size;
+  if (!contact.in_air) return;
+  contact.permeance = permeance_over(cells, contact);
+  contact.lets_air_in = !(pressure > 0);
 }
 
 }  // namespace
@@ -299,7 +341,12 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
     const std::size_t first = contacts.size();
     for (const Stretch& stretch : stretches_of(around, membrane, cells)) contacts.push_back({&membrane, stretch});
     const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
-    for (std::size_t c = first; c < contacts.size(); ++c) look_beside(grids, cells, bed, contacts[c]);
+    const std::vector<bool> on_rigid = membrane.permeance > 0 ? parts_on_rigid(state, membrane) : std::vector<bool>();
+    for (std::size_t c = first; c < contacts.size(); ++c)
+      if (contacts[c].stretch.wet)
+        look_beside(grids, cells, bed, contacts[c]);
+      else if (membrane.permeance > 0)
+        look_for_air(grids, cells, on_rigid, contacts[c]);
   }
   return contacts;
 }

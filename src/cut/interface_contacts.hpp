@@ -21,9 +21,11 @@ struct Contact {
   Stretch stretch;
   const ClothKnots* knots = nullptr;  ///< of the membrane, in space
   bool on_bed = false;
+  bool in_air = false;       ///< dry, nothing touches it, and the membrane lets water out of the pores inside
+  bool lets_air_in = false;  ///< in air, and the water inside does not press on it
   double pore_pressure = 0;  ///< of the bed [Pa]
   double inside = 0;         ///< effective pressure of the soil inside on a membrane that slides over it [Pa]
-  double permeance = 0;      ///< of the membrane at its strain there [m/(s Pa)]
+  double permeance = 0;      ///< of the membrane at its strain there, where water or air is around [m/(s Pa)]
   bool joined = false;       ///< both sides have mass there
   bool has_rows = false;     ///< it is joined, or holds the water in the pores inside
   double pressure = 0;       ///< [Pa]

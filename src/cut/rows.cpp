@@ -77,7 +77,7 @@ template <int Dim>
 Row<Dim> join_interfaces_row(const Scene& scene) {
   return {"join_interfaces",
           Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth |
-              Data::pore_space | Data::anchors,
+              Data::pore_space | Data::anchors | Data::contacts,
           Data::nodal_velocity | Data::velocity_change | Data::water_traction | Data::anchors,
           has_sharp_interface(scene),
           [knots = std::vector<ClothKnots>()](State<Dim>& s, Grids<Dim>& f, const StepContext& step) mutable {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "cells_around.hpp"
@@ -9,6 +10,7 @@
 #include "cut_cells.hpp"
 #include "membrane/part_size.hpp"
 #include "stretches.hpp"
+#include "wet_cells.hpp"
 
 namespace geodrop {
 namespace {
@@ -117,11 +119,18 @@ std::map<int, double> flows(const GridLayout<Dim>& layout, const Membrane<Dim>& 
   return out;
 }
 
+/// Takes what flows out of a pool; the mass [kg].
 template <int Dim>
-void give(Pool<Dim>& from, Pool<Dim>& to, double volume) {
+double let_out(Pool<Dim>& from, double volume) {
   constexpr double most = 0.5;  // of what is left
   const double mass = std::min(volume * from.mass / from.volume, most * (from.mass - from.given));
   from.given += mass;
+  return mass;
+}
+
+template <int Dim>
+void give(Pool<Dim>& from, Pool<Dim>& to, double volume) {
+  const double mass = let_out(from, volume);
   to.taken += mass;
   for (int a = 0; a < Dim; ++a) to.taken_speed[a] += mass * from.momentum[a] / from.mass;
 }
@@ -142,19 +151,23 @@ void seep(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     if (!acts_sharply(membrane) || membrane.permeance == 0) continue;
     const Grid<Dim>& grid = grids[membrane.field];
     Body<Dim>*const water = fluid_of(state, grid.pore_water), *const around = fluid_of(state, 0);
-    if (!water || !around) continue;
-    Pools<Dim> inside(grids[grid.pore_water], *water), outside(grids.front(), *around);
+    if (!water) continue;
+    Pools<Dim> inside(grids[grid.pore_water], *water);
+    std::optional<Pools<Dim>> outside;
+    if (around) outside.emplace(grids.front(), *around);
     for (const auto& [flat, volume] : flows(grid.layout, membrane, grid.outline, dt)) {
       Pool<Dim>* const in = inside.of(flat);
-      Pool<Dim>* const out = outside.of(flat);
-      if (!in || !out) continue;
+      Pool<Dim>* const out = outside ? outside->of(flat) : nullptr;
+      if (!in) continue;
+      if (!out && volume > 0 && !is_wet(grids.front(), flat)) let_out(*in, volume);
+      if (!out) continue;
       if (volume > 0)
         give(*in, *out, volume);
       else
         give(*out, *in, -volume);
     }
     inside.hand_over();
-    outside.hand_over();
+    if (outside) outside->hand_over();
   }
 }
 

@@ -165,7 +165,7 @@ std::vector<Run> runs_of(const Grid<2>& grid, const std::vector<Contact<2>>& con
   const auto goes_on = [&](std::size_t c) {
     const Contact<2>&one = contacts[c], &next = contacts[after(c)];
     return one.has_rows && next.has_rows && one.stretch.wet == next.stretch.wet && one.on_bed == next.on_bed &&
-           (one.stretch.first + one.stretch.count) % pieces == next.stretch.first;
+           one.in_air == next.in_air && (one.stretch.first + one.stretch.count) % pieces == next.stretch.first;
   };
   std::size_t start = first, last_of_run = first;
   while (last_of_run < last && goes_on(last_of_run)) ++last_of_run;

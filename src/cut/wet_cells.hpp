@@ -16,22 +16,46 @@ bool in_domain(const GridLayout<Dim>& layout, int cell) {
   return true;
 }
 
-/// Whether what is around a membrane fills half of the room that bodies leave in a cell and its neighbours. The cell's
-/// own part may be too small to hold a particle, and a neighbour alone may be full of water that a wall keeps away.
-/// Where bodies leave less than a tenth of all of them, they touch: a lone particle in such a film takes up the
-/// pressures of both sides.
+/// A cell and its neighbours: the cell's own part outside of a membrane may be too small to hold a particle, and a
+/// neighbour alone may be full of water that a wall keeps away.
+struct RoomAround {
+  double whole = 0;   ///< [m2, m3]
+  double room = 0;    ///< what bodies leave of it
+  double filled = 0;  ///< what of that what is around fills
+};
+
 template <int Dim>
-bool is_wet(const Grid<Dim>& around, int flat) {
-  constexpr double wet_share = 0.5, least_room = 0.1;
-  double room = 0, filled = 0, whole = 0;
+RoomAround room_around(const Grid<Dim>& around, int flat) {
+  RoomAround out;
   for (int n = 0; n < nodes_around<Dim>; ++n) {
     const int other = node_around(around.layout, flat, n);
     if (!in_domain(around.layout, other)) continue;
-    whole += size_in_domain(around.layout, other);
-    room += (1 - taken_of(around, other)) * size_in_domain(around.layout, other);
-    filled += around.cell_volume[other];
+    out.whole += size_in_domain(around.layout, other);
+    out.room += (1 - taken_of(around, other)) * size_in_domain(around.layout, other);
+    out.filled += around.cell_volume[other];
   }
-  return filled >= wet_share * room && room >= least_room * whole;
+  return out;
+}
+
+/// Whether what is around a membrane fills half of the room that bodies leave it. Where they leave less than a tenth,
+/// they touch: a lone particle in such a film takes up the pressures of both sides.
+inline bool is_wet(const RoomAround& at) {
+  constexpr double wet_share = 0.5, least_room = 0.1;
+  return at.filled >= wet_share * at.room && at.room >= least_room * at.whole;
+}
+
+template <int Dim>
+bool is_wet(const Grid<Dim>& around, int flat) {
+  return is_wet(room_around(around, flat));
+}
+
+/// Whether air lies beside a membrane: bodies leave a quarter or more, and next to nothing fills it. Dry gaps under
+/// water, in which no particle fits, have some of it around.
+template <int Dim>
+bool is_in_air(const Grid<Dim>& around, int flat) {
+  constexpr double least_room = 0.25, most_filled = 0.05;
+  const RoomAround at = room_around(around, flat);
+  return at.room >= least_room * at.whole && at.filled < most_filled * at.room;
 }
 
 }  // namespace geodrop

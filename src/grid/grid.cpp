@@ -167,7 +167,8 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   const bool change = scene.solver.transfer != Transfer::tpic || consistent ||
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });
-  const bool cells = shift || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
+  const bool air = bodies.empty() && has_sharp_interface(scene);
+  const bool cells = shift || air || any_body([](const BodySpec& b) { return b.pressure == PressureSupport::cell; });
   const bool by_cells = cells && scene.solver.weight == Weight::cell;
   const bool pores = any_pores(scene);
   unsigned wanted = grid_role::for_all;

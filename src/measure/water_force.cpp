@@ -1,5 +1,7 @@
 #include "water_force.hpp"
 
+#include <numeric>
+
 #include "geometry/polygon.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/part_size.hpp"
@@ -14,6 +16,13 @@ double seepage(const Membrane<Dim>& membrane) {
   return sum;
 }
 
+template <int Dim>
+double water_inside(const Body<Dim>& water) {
+  return std::accumulate(water.mass.begin(), water.mass.end(), 0.0) / reference_density(water.material);
+}
+
+template double water_inside(const Body<2>&);
+template double water_inside(const Body<3>&);
 template double seepage(const Membrane<2>&);
 template double seepage(const Membrane<3>&);
 

@@ -25,4 +25,8 @@ WaterForceInSpace water_force(const Membrane<3>& membrane);
 template <int Dim>
 double seepage(const Membrane<Dim>& membrane);
 
+/// Volume of the water in the pores inside, without pressure [m2, m3].
+template <int Dim>
+double water_inside(const Body<Dim>& water);
+
 }  // namespace geodrop

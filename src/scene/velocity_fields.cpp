@@ -35,7 +35,8 @@ bool flows_in_bag(const Scene& scene, const std::string& body) {
 std::vector<int> velocity_fields(const Scene& scene) {
   std::vector<int> field(scene.bodies.size(), 0);
   const auto part = [&](const BodySpec& body) { return parts(scene, body.name) || flows_in_bag(scene, body.name); };
-  int next = std::all_of(scene.bodies.begin(), scene.bodies.end(), part) ? 0 : 1;
+  const bool none_around = std::all_of(scene.bodies.begin(), scene.bodies.end(), part);
+  int next = none_around && !has_sharp_interface(scene) ? 0 : 1;  // air around a sharp interface is number 0, too
   for (std::size_t b = 0; b < field.size(); ++b)
     if (part(scene.bodies[b])) field[b] = next++;
   // Soils through whose pores water flows touch each other in one field, beside that of the water.

@@ -147,6 +147,20 @@ TEST_CASE("Where bodies leave less than a tenth of a cell and its neighbours, it
   CHECK_FALSE(is_wet(around, box.flat(5, 5)));
 }
 
+TEST_CASE("Air lies where bodies leave a quarter of a cell and its neighbours and next to nothing fills that") {
+  SharpBox box;
+  Grid<2>& around = box.around();
+  std::fill(around.taken.begin(), around.taken.end(), 0.75);
+  CHECK(is_in_air(around, box.flat(5, 5)));
+  around.taken[box.flat(6, 6)] = 0.76;
+  CHECK_FALSE(is_in_air(around, box.flat(5, 5)));
+  around.taken[box.flat(6, 6)] = 0.75;
+  around.cell_volume[box.flat(4, 4)] = 0.049 * 9 * 0.25;
+  CHECK(is_in_air(around, box.flat(5, 5)));
+  around.cell_volume[box.flat(4, 4)] = 0.05 * 9 * 0.25;
+  CHECK_FALSE(is_in_air(around, box.flat(5, 5)));
+}
+
 TEST_CASE("The nodes around a cell run along x first; spans have the widths of the axes") {
   const Scene scene = graded_scene<2>(12, 1.0, WallKind::slip);
   const GridLayout<2> layout(scene.grid, scene.walls);

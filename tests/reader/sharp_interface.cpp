@@ -31,6 +31,13 @@ TEST_CASE("A sharp interface needs cells that are knot spans, their pressure on 
   CHECK(bag.find(key + "with nothing around") != std::string::npos);
 }
 
+TEST_CASE("Nothing but air may be around where water flows out into it") {
+  const std::string scene = source_path("cases/verification/seepage_into_air.toml");
+  CHECK(scene_error(scene).empty());
+  const std::string tight = scene_error(scene, {"membranes.fabric.permittivity=0.0"});
+  CHECK(tight.find("membranes.fabric.interface: found \"sharp\" with nothing around") != std::string::npos);
+}
+
 TEST_CASE("In space: uniform axes, a body inside") {
   const std::string scene = source_path("cases/verification/sphere_release_3d.toml"), membrane = "membranes.skin.";
   const auto check = [&](const std::vector<std::string>& overrides, const std::string& says) {

@@ -64,6 +64,14 @@ TEST_CASE("Bodies that touch have a field each, whatever the order of their name
   }
 }
 
+TEST_CASE("Air around a sharp interface has number 0, without a body") {
+  const Scene scene = read_scene(source_path("cases/verification/seepage_into_air.toml"));
+  CHECK(velocity_fields(scene) == std::vector<int>{1, 2});
+  const Grids<2> grids = make_grids<2>(scene);
+  REQUIRE(grids.size() == 3);
+  CHECK(!grids[0].cell_volume.empty());
+}
+
 TEST_CASE("All others share number 0") {
   const Scene scene = three_bodies("[{between=['skin','ground'],friction=0.1}]");
   const std::vector<int> fields = velocity_fields(scene);

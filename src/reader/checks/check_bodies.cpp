@@ -189,16 +189,19 @@ void check_enclosed(const Scene& scene, const BodySpec& body, const std::string&
     refuse("with gravity " + to_text(scene.gravity), "enclosed with gravity along the vertical axis");
 }
 
-/// Enclosed fluids, silent sides and sharp interfaces move J towards that of a pressure, which cavities have none of.
+/// Enclosed fluids, silent sides and sharp interfaces move J towards that of a pressure, which cavities have none of;
+/// water in pores, which leaves them to air, is let be there (even_out_volumes).
 void check_cavities(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
   const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
   if (!fluid || !(fluid->tension_cutoff < fluid->bulk_modulus)) return;
   const bool silent = std::any_of(scene.silent_sides.begin(), scene.silent_sides.end(),
                                   [&](const SilentSideSpec& side) { return side.body == body.name; });
-  if (silent || has_sharp_interface(scene) || body.pressure == PressureSupport::enclosed)
-    report.add(key + ".material", '"' + body.material + "\", which has a tension_cutoff",
-               "a fluid without one, with an enclosed pressure, an absorbing layer or a sharp interface");
+  const bool beside_interface = has_sharp_interface(scene) && !saturates(scene, body.name);
+  if (silent || beside_interface || body.pressure == PressureSupport::enclosed)
+    report.add(
+        key + ".material", '"' + body.material + "\", which has a tension_cutoff",
+        "a fluid without one, with an enclosed pressure, an absorbing layer or, outside of pores, a sharp interface");
 }
 
 void check_pressure(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {

@@ -132,6 +132,9 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
   };
   const std::string name = body_inside(scene, membrane);
   const BodySpec* body = find_body(scene, name);
+  const auto outside = [&](const BodySpec& other) {
+    return !in_sharp_membrane(scene, other.name) && !(body && other.name == body->saturated_by);
+  };
   if (scene.grid.basis != Basis::bspline2)
     refuse("on a grid whose cells are not knot spans", "sharp with basis = \"bspline2\"");
   else if (scene.dimension == 3 && !scene.grid.refine.empty())
@@ -146,11 +149,13 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     refuse("on a second membrane of \"" + name + '"', "one sharp membrane for each body");
   else if (body && body->pressure != PressureSupport::cell && body->saturated_by.empty())
     refuse("around a body whose pressure is not that of cells", "sharp with pressure = \"cell\" for \"" + name + '"');
-  else if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
-             const bool in_pores = body && other.name == body->saturated_by;
-             return !in_sharp_membrane(scene, other.name) && !in_pores && other.pressure == PressureSupport::cell;
-           }))
-    refuse("with nothing around", "sharp where a body with pressure = \"cell\" and without a sharp membrane is around");
+  else if (!std::any_of(
+               scene.bodies.begin(), scene.bodies.end(),
+               [&](const BodySpec& other) { return outside(other) && other.pressure == PressureSupport::cell; }) &&
+           !(membrane.permittivity > 0 && std::none_of(scene.bodies.begin(), scene.bodies.end(), outside)))
+    refuse("with nothing around",
+           "sharp where a body with pressure = \"cell\" and without a sharp membrane is around, or with a permittivity "
+           "in air");
 }
 
 /// A cell without fluid has no other mass than the membrane's.
