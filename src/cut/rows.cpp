@@ -46,8 +46,8 @@ Row<Dim> even_out_volumes_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> seep_row(const Scene& scene) {
   return {"seep",
-          Data::cut_cells | Data::position | Data::volume_ratio | Data::membranes | Data::membrane_position |
-              Data::water_traction,
+          Data::cut_cells | Data::cell_volume | Data::position | Data::volume_ratio | Data::membranes |
+              Data::membrane_position | Data::water_traction,
           Data::mass | Data::velocity | Data::volume_ratio | Data::material_state,
           std::any_of(scene.membranes.begin(), scene.membranes.end(),
                       [](const MembraneSpec& membrane) { return membrane.permittivity > 0; }),
@@ -76,8 +76,8 @@ Row<Dim> interface_force_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> join_interfaces_row(const Scene& scene) {
   return {"join_interfaces",
-          Data::cut_cells | Data::nodal_sums | Data::membranes | Data::membrane_position | Data::membrane_cloth |
-              Data::pore_space | Data::anchors | Data::contacts,
+          Data::cut_cells | Data::cell_volume | Data::cell_pressure | Data::nodal_sums | Data::membranes |
+              Data::membrane_position | Data::membrane_cloth | Data::pore_space | Data::anchors | Data::contacts,
           Data::nodal_velocity | Data::velocity_change | Data::water_traction | Data::anchors,
           has_sharp_interface(scene),
           [knots = std::vector<ClothKnots>()](State<Dim>& s, Grids<Dim>& f, const StepContext& step) mutable {
