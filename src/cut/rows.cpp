@@ -24,7 +24,7 @@ bool cuts_cells(const Scene& scene) { return has_sharp_interface(scene) || any_f
 template <int Dim>
 Row<Dim> cut_cells_row(const Scene& scene) {
   return {"cut_cells", Data::membranes | Data::membrane_position,
-          Data::cut_cells | Data::cell_flags | Data::volume_rate, cuts_cells(scene),
+          Data::cut_cells | Data::cell_flags | Data::cell_pressure | Data::volume_rate, cuts_cells(scene),
           [](const State<Dim>& s, Grids<Dim>& f, const StepContext&) { cut_interface_cells(s, f); }};
 }
 
