@@ -214,17 +214,27 @@ std::size_t corner_of_part(const Membrane<3>& membrane, std::size_t triangle, in
   return membrane.triangles.corner[static_cast<std::size_t>(k)][triangle];
 }
 
-/// Segments or triangles of a membrane all of whose nodes lie on rigid bodies.
+/// Nodes of a membrane that lie on rigid bodies.
 template <int Dim>
-std::vector<bool> parts_on_rigid(const State<Dim>& state, const Membrane<Dim>& membrane) {
+std::vector<bool> nodes_on_rigid(const State<Dim>& state, const Membrane<Dim>& membrane) {
   std::vector<bool> touches(membrane.nodes(), false);
   for (const RigidContact<Dim>& contact : state.rigid_contacts)
     if (!contact.bare && contact.touching == membrane.name)
       for (const std::uint32_t node : contact.points) touches[node] = true;
-  std::vector<bool> out(membrane.pore_pressure.size(), true);
-  for (std::size_t part = 0; part < out.size(); ++part)
-    for (int k = 0; k < Dim; ++k) out[part] = out[part] && touches[corner_of_part(membrane, part, k)];
-  return out;
+  return touches;
+}
+
+/// Length or area of a stretch whose segments or triangles have all of their nodes on rigid bodies.
+template <int Dim>
+double size_on_rigid(const Outline<Dim>& cells, const std::vector<bool>& touches, const Contact<Dim>& contact) {
+  const Membrane<Dim>& membrane = *contact.membrane;
+  double size = 0;
+  for_each_share(cells, contact.stretch, [&](std::size_t part, double share) {
+    bool lies = true;
+    for (int k = 0; k < Dim; ++k) lies = lies && touches[corner_of_part(membrane, part, k)];
+    if (lies) size += share * size_of(membrane, part);
+  });
+  return size;
 }
 
 /// What is beside a stretch.
@@ -245,7 +255,7 @@ void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCe
 /// Whether a dry stretch lies in air: no body beside it, and less than half of it on rigid bodies. Where the water
 /// inside presses on it some flows out, else air may come in.
 template <int Dim>
-void look_for_air(const Grids<Dim>& grids, const Outline<Dim>& cells, const std::vector<bool>& on_rigid,
+void look_for_air(const Grids<Dim>& grids, const Outline<Dim>& cells, const std::vector<bool>& touches,
                   Contact<Dim>& contact) {
   const Grid<Dim>&around = grids.front(), &water = grids[grids[contact.membrane->field].pore_water];
   double pressure = 0;
@@ -254,11 +264,7 @@ void look_for_air(const Grids<Dim>& grids, const Outline<Dim>& cells, const std:
     contact.in_air = contact.in_air || is_in_air(around, flat);
     pressure += water.cell_pressure[flat];
   });
-  double pressed = 0;
-  for_each_share(cells, contact.stretch, [&](std::size_t part, double share) {
-    if (on_rigid[part]) pressed += share * size_of(*contact.membrane, part);
-  });
-  contact.in_air = contact.in_air && pressed < 0.5 * contact.stretch.size;
+  contact.in_air = contact.in_air && size_on_rigid(cells, touches, contact) < 0.5 * contact.stretch.size;
   if (!contact.in_air) return;
   contact.permeance = permeance_over(cells, contact);
   contact.lets_air_in = !(pressure > 0);
@@ -341,12 +347,12 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
     const std::size_t first = contacts.size();
     for (const Stretch& stretch : stretches_of(around, membrane, cells)) contacts.push_back({&membrane, stretch});
     const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
-    const std::vector<bool> on_rigid = membrane.permeance > 0 ? parts_on_rigid(state, membrane) : std::vector<bool>();
+    const std::vector<bool> touches = membrane.permeance > 0 ? nodes_on_rigid(state, membrane) : std::vector<bool>();
     for (std::size_t c = first; c < contacts.size(); ++c)
       if (contacts[c].stretch.wet)
         look_beside(grids, cells, bed, contacts[c]);
       else if (membrane.permeance > 0)
-        look_for_air(grids, cells, on_rigid, contacts[c]);
+        look_for_air(grids, cells, touches, contacts[c]);
   }
   return contacts;
 }

@@ -159,12 +159,12 @@ void seep(State<Dim>& state, const Grids<Dim>& grids, double dt) {
       Pool<Dim>* const in = inside.of(flat);
       Pool<Dim>* const out = outside ? outside->of(flat) : nullptr;
       if (!in) continue;
-      if (!out && volume > 0 && !is_wet(grids.front(), flat)) let_out(*in, volume);
-      if (!out) continue;
-      if (volume > 0)
+      if (out && volume > 0)
         give(*in, *out, volume);
-      else
+      else if (out)
         give(*out, *in, -volume);
+      else if (volume > 0 && !is_wet(grids.front(), flat))
+        let_out(*in, volume);
     }
     inside.hand_over();
     if (outside) outside->hand_over();

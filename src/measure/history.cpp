@@ -110,8 +110,9 @@ void list_across(HistoryRow& row, const Scene& scene, const State<Dim>* state) {
 
 /// Of membranes that let water through.
 template <int Dim>
-void list_seepage(HistoryRow& row, const MembraneSpec& spec, const std::string& pore_water, const State<Dim>* state) {
+void list_seepage(HistoryRow& row, const Scene& scene, const MembraneSpec& spec, const State<Dim>* state) {
   if (!(spec.permittivity > 0)) return;
+  const std::string& pore_water = find_body(scene, body_inside(scene, spec))->saturated_by;
   const std::string unit = Dim == 2 ? "m2" : "m3";
   row.add(spec.name + ".seepage_" + unit + "_s", state ? seepage(find_named(state->membranes, spec.name)) : 0);
   row.add(spec.name + ".water_inside_" + unit, state ? water_inside(find_named(state->bodies, pore_water)) : 0);
@@ -127,7 +128,7 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
     const WaterForce force = state ? water_force(state->membranes[m]) : WaterForce{};
     row.add_vector(name + ".pressure_force", "N_m", force.pressure, 2);
     row.add_vector(name + ".friction_force", "N_m", force.friction, 2);
-    list_seepage(row, scene.membranes[m], pore_water, state);
+    list_seepage(row, scene, scene.membranes[m], state);
     row.add(name + ".strays_m2",
             state ? strays_inside(*state, state->membranes[m], pore_water, skin * scene.grid.spacing) : 0);
   }
@@ -139,8 +140,7 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<3>* state) {
     const WaterForceInSpace force = state ? water_force(state->membranes[m]) : WaterForceInSpace{};
     row.add_vector(name + ".pressure_force", "N", force.pressure, 3);
     if (rubs_sharply(scene.membranes[m])) row.add_vector(name + ".friction_force", "N", force.friction, 3);
-    list_seepage(row, scene.membranes[m], find_body(scene, body_inside(scene, scene.membranes[m]))->saturated_by,
-                 state);
+    list_seepage(row, scene, scene.membranes[m], state);
   }
 }
 

@@ -135,6 +135,10 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
   const auto outside = [&](const BodySpec& other) {
     return !in_sharp_membrane(scene, other.name) && !(body && other.name == body->saturated_by);
   };
+  const bool beside_cells = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
+    return outside(other) && other.pressure == PressureSupport::cell;
+  });
+  const bool in_air = membrane.permittivity > 0 && std::none_of(scene.bodies.begin(), scene.bodies.end(), outside);
   if (scene.grid.basis != Basis::bspline2)
     refuse("on a grid whose cells are not knot spans", "sharp with basis = \"bspline2\"");
   else if (scene.dimension == 3 && !scene.grid.refine.empty())
@@ -149,10 +153,7 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
     refuse("on a second membrane of \"" + name + '"', "one sharp membrane for each body");
   else if (body && body->pressure != PressureSupport::cell && body->saturated_by.empty())
     refuse("around a body whose pressure is not that of cells", "sharp with pressure = \"cell\" for \"" + name + '"');
-  else if (!std::any_of(
-               scene.bodies.begin(), scene.bodies.end(),
-               [&](const BodySpec& other) { return outside(other) && other.pressure == PressureSupport::cell; }) &&
-           !(membrane.permittivity > 0 && std::none_of(scene.bodies.begin(), scene.bodies.end(), outside)))
+  else if (!beside_cells && !in_air)
     refuse("with nothing around",
            "sharp where a body with pressure = \"cell\" and without a sharp membrane is around, or with a permittivity "
            "in air");
