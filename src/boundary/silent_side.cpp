@@ -31,13 +31,14 @@ struct Layer {
   double still_pressure_at(std::size_t p) const {
     return still_pressure(fluid, side.gravity, side.surface - body.x[y_axis][p]);
   }
+  double of_weight(std::size_t p) const { return fluid.of_weight(body.x[y_axis][p]); }
   double excess_pressure(std::size_t p) const {
-    return fluid.bulk_modulus * (1 / body.J[p] - 1) - still_pressure_at(p);
+    return fluid.bulk_modulus * (1 / body.J[p] - 1) + of_weight(p) - still_pressure_at(p);
   }
   /// `times` the energy of a particle.
   EnergyGain energy(std::size_t p, double times) const {
     const double u = body.v[x_axis][p], v = body.v[y_axis][p], mass = times * body.mass[p];
-    const double pressed = fluid_energy(fluid, body.J[p], body.gas_at(p)) / fluid.density;
+    const double pressed = fluid_energy(fluid, body.J[p], body.gas_at(p), of_weight(p)) / fluid.density;
     return {mass * (0.5 * (u * u + v * v) + pressed), mass * side.gravity * body.x[y_axis][p]};
   }
 };
@@ -107,7 +108,7 @@ EnergyGain fade(const GridLayout<2>& layout, double dt, const Layer& layer) {
     const Rows rows = rows_at(layout, body.x[y_axis][p]);
     body.v[x_axis][p] += lost * (side.outward * between(side.flow, rows) - body.v[x_axis][p]);
     body.v[y_axis][p] -= lost * body.v[y_axis][p];
-    const double at_rest = layer.still_pressure_at(p) + between(side.lasting, rows), J = body.J[p];
+    const double at_rest = layer.still_pressure_at(p) - layer.of_weight(p) + between(side.lasting, rows), J = body.J[p];
     body.J[p] += lost * (1 / (1 + at_rest / layer.fluid.bulk_modulus) - J);
     body.mass[p] *= J / body.J[p];
     gained += layer.energy(p, 1);

@@ -103,7 +103,8 @@ Array<double> particle_reach(const Scene& scene, const Body<2>& body) {
 RareList<double> depth_at_start(const Newtonian& fluid, const Body<2>& body, double stiffness) {
   RareList<double> depth(body.size());
   for (std::size_t p = 0; p < body.size(); ++p)
-    depth[body.id[p]] = std::max(0.0, fluid_pressure(fluid, body.J[p], body.gas_at(p))) / stiffness;
+    depth[body.id[p]] =
+        std::max(0.0, fluid_pressure(fluid, body.J[p], body.gas_at(p), fluid.of_weight(body.x[1][p]))) / stiffness;
   return depth;
 }
 

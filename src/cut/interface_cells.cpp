@@ -240,8 +240,10 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     if (!fluid || body.field == waiting || body.pressure != PressureSupport::cell) continue;
     const Grid<Dim>& grid = grids[body.field];
     // Cavities close as they opened, whatever the pressure of the cell.
-    const double torn = fluid->cavitates() ? fluid_volume_ratio(*fluid, -fluid->tension_cutoff)
-                                           : std::numeric_limits<double>::infinity();
+    const auto torn = [&](double of_weight) {
+      return fluid->cavitates() ? fluid_volume_ratio(*fluid, -fluid->tension_cutoff - of_weight)
+                                : std::numeric_limits<double>::infinity();
+    };
     // With an implicit pressure waves may go farther than a cell in a step.
     constexpr double most = 0.5;
     const double way = evening * wave_speed(body.material) * dt, share = std::min(most, way * grid.layout.inv_h);
@@ -249,8 +251,10 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
       const int cell = cell_at(grid.layout, body.x, p);
-      if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= torn) continue;
-      const double mean = fluid_volume_ratio(*fluid, grid.cell_pressure[cell], body.gas_at(p));
+      const double y = body.x[Dim - 1][p];
+      if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= torn(fluid->of_weight(y))) continue;
+      const double of_weight = fluid->of_weight(grid.layout.middle_of_cell(Dim - 1, y));
+      const double mean = fluid_volume_ratio(*fluid, grid.cell_pressure[cell] - of_weight, body.gas_at(p));
       const double here = grid.layout.graded() ? std::min(most, way / least_width(grid.layout, cell)) : share;
       body.J[p] += here * (mean - body.J[p]);
     }

@@ -85,8 +85,8 @@ double shear_wave_speed(const Material& material) {
   return std::sqrt(elastic_moduli(material).shear / reference_density(material));
 }
 
-double fluid_pressure(const Newtonian& fluid, double J, double gas) {
-  const double whole = gas > 0 ? pressure_with_gas(fluid, J, gas) : fluid.bulk_modulus * (1 / J - 1);
+double fluid_pressure(const Newtonian& fluid, double J, double gas, double of_weight) {
+  const double whole = gas > 0 ? pressure_with_gas(fluid, J, gas) : fluid.bulk_modulus * (1 / J - 1) + of_weight;
   return std::max(whole, -fluid.tension_cutoff);
 }
 
@@ -97,15 +97,15 @@ double fluid_stiffness(const Newtonian& fluid, double pressure, double gas) {
   return (of_water + of_gas) / (of_water * of_water / K + of_gas / absolute);
 }
 
-double fluid_energy(const Newtonian& fluid, double J, double gas) {
+double fluid_energy(const Newtonian& fluid, double J, double gas, double of_weight) {
   if (gas > 0) {
     const double p = fluid_pressure(fluid, J, gas), share = fluid.atmosphere / (fluid.atmosphere + p);
     const double of_gas = gas * fluid.atmosphere * (share - 1 - std::log(share));
     return fluid_energy(fluid, fluid_volume_ratio(fluid, p)) + of_gas;
   }
-  const double torn = fluid.cavitates() ? fluid_volume_ratio(fluid, -fluid.tension_cutoff) : J;
+  const double torn = fluid.cavitates() ? fluid_volume_ratio(fluid, -fluid.tension_cutoff - of_weight) : J;
   const double elastic = std::min(J, torn);
-  const double stored = fluid.bulk_modulus * ((elastic - 1) - std::log1p(elastic - 1));
+  const double stored = fluid.bulk_modulus * ((elastic - 1) - std::log1p(elastic - 1)) - of_weight * (elastic - 1);
   return J > torn ? stored + fluid.tension_cutoff * (J - torn) : stored;
 }
 
@@ -126,6 +126,7 @@ double skempton_b(const MohrCoulomb& soil) { return soil.pore_stiffness / (soil.
 
 double still_pressure(const Newtonian& fluid, double gravity, double depth) {
   if (depth <= 0) return 0;
+  if (fluid.has_still_level()) return fluid.density * gravity * depth;
   return fluid.bulk_modulus * std::expm1(fluid.density * gravity * depth / fluid.bulk_modulus);
 }
 

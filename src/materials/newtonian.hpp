@@ -33,7 +33,10 @@ void update_point(auto& points, const Newtonian& water, const auto& rates, doubl
 }
 
 inline Newtonian make(const NewtonianSpec& spec) {
-  return {spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length, spec.tension_cutoff};
+  Newtonian fluid{spec.density, spec.bulk_modulus, spec.viscosity, spec.mixing_length, spec.tension_cutoff};
+  fluid.unit_weight = spec.still_level ? spec.unit_weight : 0;
+  fluid.still_level = spec.still_level.value_or(0);
+  return fluid;
 }
 
 }  // namespace geodrop

@@ -29,7 +29,8 @@ void add_mass(Totals<Dim>& sums, double mass, const std::array<Array<double>, Di
 /// A viscous stress stores nothing.
 template <int Dim>
 double strain_energy(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
-  return body.mass[p] / fluid.density * fluid_energy(fluid, body.J[p], body.gas_at(p));
+  return body.mass[p] / fluid.density *
+         fluid_energy(fluid, body.J[p], body.gas_at(p), fluid.of_weight(body.x[vertical_axis<Dim>][p]));
 }
 
 /// p^2 / 2K + s:s / 4G per volume that bears, of effective stresses, and u^2 / 2K_w of the pores.

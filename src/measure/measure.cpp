@@ -23,8 +23,8 @@ constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 /// Pressure of a fluid follows from its density, of a solid from the stress that it carries.
 template <int Dim>
 double pressure(const Newtonian& fluid, const Body<Dim>& body, std::size_t p) {
-  const double of_weight = body.unit_weight * (body.weightless_level - body.x[vertical_axis<Dim>][p]);
-  return fluid_pressure(fluid, body.J[p], body.gas_at(p)) + of_weight;
+  const double y = body.x[vertical_axis<Dim>][p], split_off = body.unit_weight * (body.weightless_level - y);
+  return fluid_pressure(fluid, body.J[p], body.gas_at(p), fluid.of_weight(y)) + split_off;
 }
 template <class Solid, int Dim>
 double pressure(const Solid&, const Body<Dim>& body, std::size_t p) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <geodrop/grid/grid.hpp>
 #include <geodrop/solutions/exact.hpp>
 #include <stdexcept>
 
@@ -49,10 +50,11 @@ StressAt stress_at(const Scene& scene, const InitialStress& initial, double dens
   return out;
 }
 
+/// of_weight: the part of the pressure that the density does not follow [Pa].
 template <int Dim>
-void set_fluid(const Newtonian& water, const StressAt& at, Body<Dim>& body, std::size_t p) {
+void set_fluid(const Newtonian& water, const StressAt& at, Body<Dim>& body, std::size_t p, double of_weight = 0) {
   const double volume = body.J[p];
-  body.J[p] = fluid_volume_ratio(water, at.fluid_pressure);
+  body.J[p] = fluid_volume_ratio(water, at.fluid_pressure - of_weight);
   body.mass[p] = water.density * volume / body.J[p];
 }
 
@@ -115,8 +117,7 @@ double water_in_pores(const Scene& scene, const BodySpec& spec) {
 
 double still_fluid_pressure(const Scene& scene, const HydrostaticSpec& still, double y) {
   const NewtonianSpec& fluid = fluid_of(scene, still.fluid);
-  return still_pressure({fluid.density, fluid.bulk_modulus, fluid.viscosity}, -scene.gravity[scene.dimension - 1],
-                        still.surface - y);
+  return still_pressure(make(fluid), -scene.gravity[scene.dimension - 1], still.surface - y);
 }
 
 TotalStress initial_total_stress(const Scene& scene, const BodySpec& spec, double y) {
@@ -140,11 +141,13 @@ void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& bod
   if (std::holds_alternative<FromExactSpec>(spec.initial_stress))
     return set_exact_stress(exact_solution<Dim>(scene, spec.name), body);
   const double density = reference_density(body.material), pore_water = water_in_pores(scene, spec);
+  const GridLayout<Dim> layout(scene.grid, scene.walls);
   for (std::size_t p = 0; p < body.size(); ++p) {
-    StressAt at = stress_at(scene, spec.initial_stress, density + pore_water, body.x[Dim - 1][p]);
+    const double y = body.x[Dim - 1][p];
+    StressAt at = stress_at(scene, spec.initial_stress, density + pore_water, y);
     if (std::holds_alternative<Newtonian>(body.material)) at.fluid_pressure -= at.vertical;
     if (const auto* water = std::get_if<Newtonian>(&body.material))
-      set_fluid(*water, at, body, p);
+      set_fluid(*water, at, body, p, water->of_weight(layout.middle_of_cell(Dim - 1, y)));
     else
       set_solid(density, at, body, p, pore_water > 0);
   }

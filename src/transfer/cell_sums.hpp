@@ -6,6 +6,14 @@
 
 namespace geodrop {
 
+/// The weight of water with a still level is that of its cell's middle, wherever particles are in it.
+template <int Dim>
+void take_weight_at_middle(const Newtonian& water, const GridLayout<Dim>& layout, const double* y, int count,
+                           double* pressure) {
+  constexpr int up = Dim - 1;
+  for (int k = 0; k < count; ++k) pressure[k] += water.unit_weight * (y[k] - layout.middle_of_cell(up, y[k]));
+}
+
 template <int Dim>
 void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   alignas(64) double volume[chunk_size], pressure[chunk_size];
@@ -21,6 +29,8 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     chunk_volumes<Dim>(body, p, count, volume, pressure);
+    if (water && water->has_still_level())
+      take_weight_at_middle(*water, layout, body.x[Dim - 1].data() + p, count, pressure);
     for (int k = 0; k < count; ++k) cell[k] = 0;
     for (int a = 0; a < Dim; ++a) {
       const double* const x = body.x[a].data() + p;

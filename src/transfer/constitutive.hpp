@@ -30,6 +30,8 @@ void volumes_and_pressures(const Body<Dim>& body, const Newtonian& water, std::s
   }
   if (water.has_gas())
     for (int k = 0; k < count; ++k) pressure[k] = fluid_pressure(water, J[k], body.gas[begin + k]);
+  if (water.has_still_level())
+    for (int k = 0; k < count; ++k) pressure[k] += water.of_weight(body.x[Dim - 1][begin + k]);
   if (!water.cavitates()) return;
   for (int k = 0; k < count; ++k) pressure[k] = std::max(pressure[k], -water.tension_cutoff);
 }
@@ -74,6 +76,9 @@ void carried_stress(const Body<Dim>& body, const Newtonian& water, std::size_t b
   if (water.has_gas())
     for (int k = 0; k < count; ++k)
       pressure_force[k] = own[k] * out.volume[k] * fluid_pressure(water, J[k], body.gas[begin + k]);
+  if (water.has_still_level())
+    for (int k = 0; k < count; ++k)
+      pressure_force[k] += own[k] * out.volume[k] * water.of_weight(body.x[Dim - 1][begin + k]);
   if (water.cavitates())
     for (int k = 0; k < count; ++k)
       pressure_force[k] = std::max(pressure_force[k], -own[k] * out.volume[k] * water.tension_cutoff);

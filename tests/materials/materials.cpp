@@ -102,6 +102,26 @@ TEST_CASE("Water with gas: Boyle's law by hand, one pressure for each volume, en
   CHECK(fluid_pressure(fluid, 1e6, 0.5) > -1e5);
 }
 
+TEST_CASE("Still water with a still level has its density at every depth; the pressure is the slope of its energy") {
+  Newtonian fluid{1000, 3.6e6, 0, 0, 1e4};
+  fluid.unit_weight = 9810;
+  fluid.still_level = 5;
+  CHECK(fluid.of_weight(3) == near(2 * 9810, 1e-12));
+  CHECK(still_pressure(fluid, 9.81, 2) == near(2 * 9810, 1e-12));
+  CHECK(still_pressure(Newtonian{1000, 3.6e6, 0}, 9.81, 2) == near(3.6e6 * std::expm1(2 * 9810 / 3.6e6), 1e-12));
+  for (const double depth : {-2.0, 0.0, 3.0, 12.0}) {  // above the level: less than nothing
+    CAPTURE(depth);
+    const double weight = 9810 * depth;
+    CHECK(fluid_pressure(fluid, 1, 0, weight) == near(std::max(weight, -1e4), 1e-12));
+    for (const double J : {0.99, 1.0, 1.002, 1.2}) {
+      const double p = fluid_pressure(fluid, J, 0, weight), step = 1e-6;
+      const double slope =
+          (fluid_energy(fluid, J + step, 0, weight) - fluid_energy(fluid, J - step, 0, weight)) / (2 * step);
+      CHECK(slope == within(-p, 5));
+    }
+  }
+}
+
 TEST_CASE("Water that is not torn follows K (1/J - 1); torn, it keeps its cut-off; energy is the integral of both") {
   const Newtonian whole{1000, 2e6, 0}, torn{1000, 2e6, 0, 0, 1e5};
   CHECK(fluid_pressure(whole, 0.5) == near(2e6, 1e-12));

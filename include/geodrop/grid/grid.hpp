@@ -92,6 +92,12 @@ struct GridLayout {
   }
   /// Place of node i along one axis [m].
   double node(int axis, int i) const { return graded() ? knots[axis].node(i + pad) : lower[axis] + i * h; }
+  /// Middle of the cell that holds x along one axis: that of a node on a wall is half as wide [m].
+  double middle_of_cell(int axis, double x) const {
+    const int i = base(axis, x);
+    const double quarter = periodic(axis) ? 0.0 : 0.25 * span_width(axis, i) * h;
+    return node(axis, i) + (i == 0 ? quarter : 0.0) - (i == cells[axis] ? quarter : 0.0);
+  }
   /// Width of the knot span of node i along one axis, walls or not [h].
   double span_width(int axis, int i) const { return graded() ? knots[axis][i + pad].width * inv_h : 1.0; }
   /// The knot span of a stored node along one axis, walls or not.

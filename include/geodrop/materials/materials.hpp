@@ -54,13 +54,17 @@ struct NewtonianSpec {
   double viscosity = 0;      ///< dynamic [Pa s]
   double mixing_length = 0;  ///< of eddies that are not resolved, far from walls [m]; 0: none
   double tension_cutoff = std::numeric_limits<double>::infinity();  ///< largest suction [Pa]; infinite: any
+  std::optional<double> still_level = {};  ///< of the surface of still water that has its density at every depth [m]
+  double unit_weight = 0;                  ///< density times gravity where it has a still_level [N/m3]
   bool operator==(const NewtonianSpec&) const = default;
 };
 /// p = K (1/J - 1), deviator 2 (mu + mu_t) dev(D). J = rho0 / rho. Eddies smaller than the mixing length l mix as
 /// mu_t = rho0 l^2 sqrt(2 dev(D) : dev(D)) (Prandtl 1925; Smagorinsky 1963); near walls l is less, see
 /// boundary/eddy_length. Water that cavitates keeps p = -T however
 /// far it opens: p is a function of J all the same, so that voids close again without a loss of volume. The water in
-/// the pores of a soil may have gas in it, see fluid_pressure.
+/// the pores of a soil may have gas in it, see fluid_pressure. With a still level y0, p = K (1/J - 1) + rho0 g (y0 -
+/// y): water of a reduced stiffness has its density at every depth where it is still, and stays neutral to a parcel
+/// that moves up or down.
 struct Newtonian {
   double density;                                                   ///< rho0 [kg/m3]
   double bulk_modulus;                                              ///< K [Pa]
@@ -69,8 +73,13 @@ struct Newtonian {
   double tension_cutoff = std::numeric_limits<double>::infinity();  ///< T [Pa]
   double gas = 0;                                                   ///< g, the most that a particle has [-]; 0: none
   double atmosphere = 0;                                            ///< absolute pressure where p = 0 [Pa]
+  double unit_weight = 0;                                           ///< rho0 g; 0: no still level [N/m3]
+  double still_level = 0;                                           ///< y0 [m]
 
   bool has_gas() const { return gas > 0; }
+  bool has_still_level() const { return unit_weight > 0; }
+  /// The part of the pressure at a height that its density does not follow [Pa].
+  double of_weight(double y) const { return unit_weight * (still_level - y); }
   bool viscous() const { return viscosity > 0 || mixing_length > 0; }
   /// At J = infinity p = -K.
   bool cavitates() const { return tension_cutoff < bulk_modulus; }
@@ -303,8 +312,9 @@ double shear_wave_speed(const Material& material);
 /// Pressure of a fluid [Pa]. With g, the volume of gas at zero pressure over that of the water, both are under one
 /// pressure (no menisci, nothing dissolves, constant temperature: Boyle's law), p_a the atmosphere's:
 ///   J = 1 / (1 + p / K) + g p_a / (p_a + p)
-double fluid_pressure(const Newtonian& fluid, double J, double gas = 0);
-/// J at a pressure.
+/// of_weight: what Newtonian::of_weight has at its height [Pa].
+double fluid_pressure(const Newtonian& fluid, double J, double gas = 0, double of_weight = 0);
+/// J at a pressure, less what is of_weight.
 inline double fluid_volume_ratio(const Newtonian& fluid, double pressure, double gas = 0) {
   const double water = 1 / (1 + pressure / fluid.bulk_modulus);
   return gas > 0 ? water + gas * fluid.atmosphere / (fluid.atmosphere + pressure) : water;
@@ -312,8 +322,8 @@ inline double fluid_volume_ratio(const Newtonian& fluid, double pressure, double
 /// -J dp/dJ at a pressure, of water with gas: that of the water where the gas is pressed away, p + p_a where there is
 /// much of it [Pa].
 double fluid_stiffness(const Newtonian& fluid, double pressure, double gas);
-/// Energy per volume of the water at zero pressure [J/m3], 0 there; its slope -dW/dJ is the pressure.
-double fluid_energy(const Newtonian& fluid, double J, double gas = 0);
+/// Energy per volume of the water at J = 1 [J/m3], 0 there; its slope -dW/dJ is the pressure.
+double fluid_energy(const Newtonian& fluid, double J, double gas = 0, double of_weight = 0);
 
 /// Kinematic viscosity that limits the explicit time step [m2/s]; 0 for solids.
 double kinematic_viscosity(const Material& material);

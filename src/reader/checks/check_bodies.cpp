@@ -50,6 +50,28 @@ void check_minus(const Scene& scene, const BodySpec& body, const std::string& ke
   }
 }
 
+/// Where the pressure of a fluid may have a part that its density does not follow.
+void check_still_level(const Scene& scene, const BodySpec& body, Report& report) {
+  const MaterialSpec* material = find_material(scene, body.material);
+  const auto* fluid = material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;
+  const std::string key = "materials." + body.material + ".still_level";
+  if (!fluid || !fluid->still_level || !report.healthy(key) || !report.healthy("gravity")) return;
+  const auto refuse = [&](const std::string& why, const std::string& allowed) {
+    report.add(key, to_text(*fluid->still_level) + why, allowed);
+  };
+  const bool sideways = std::any_of(scene.gravity.begin(), scene.gravity.end() - 1, [](double g) { return g != 0; });
+  const auto is_this = [&](const auto& other) { return other.body == body.name; };
+  if (sideways || scene.gravity.back() >= 0) return refuse(" with another gravity", "gravity straight down");
+  if (saturates(scene, body.name))
+    refuse(" for \"" + body.name + "\", the water in pores", "a material of its own, without a still_level, for it");
+  if (body.pressure == PressureSupport::enclosed || body.pressure == PressureSupport::nodal)
+    refuse(" for \"" + body.name + "\", whose pressure is that of its membrane or of nodes", "cell or particle");
+  if (std::any_of(scene.pumps.begin(), scene.pumps.end(), is_this))
+    refuse(" for \"" + body.name + "\", which a pump fills", "no still_level there");
+  if (std::any_of(scene.exact.begin(), scene.exact.end(), is_this))
+    refuse(" for \"" + body.name + "\", which follows an exact solution", "no still_level there");
+}
+
 void check_shift(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
   if (body.shift && material && report.healthy("materials." + material->name + ".model") &&
@@ -261,6 +283,7 @@ void check_bodies(const Scene& scene, Report& report) {
     check_reference(key + ".material", scene.bodies[i].material, names_of(scene.materials), "materials", report);
     check_minus(scene, scene.bodies[i], key, report);
     check_shift(scene, scene.bodies[i], key, report);
+    check_still_level(scene, scene.bodies[i], report);
     check_pores(scene, scene.bodies[i], key, report);
     check_weight(scene, scene.bodies[i], key, report);
     check_pressure(scene, scene.bodies[i], key, report);

@@ -15,6 +15,18 @@ void rest_in_all_directions(Scene& scene, const toml::table&) {
       velocity->value.resize(static_cast<std::size_t>(scene.dimension));
 }
 
+/// Of fluids with a still level.
+void weigh_still_fluids(Scene& scene) {
+  for (MaterialSpec& material : scene.materials)
+    if (auto* fluid = std::get_if<NewtonianSpec>(&material.model); fluid && fluid->still_level)
+      fluid->unit_weight = -scene.gravity.back() * fluid->density;
+}
+
+void complete_values(Scene& scene, const toml::table& written) {
+  rest_in_all_directions(scene, written);
+  weigh_still_fluids(scene);
+}
+
 /// A membrane in space may be alone.
 Key may_be_none(Key row) {
   row.need = standard("{}");
@@ -61,7 +73,7 @@ gravity = [0.0, -9.81])", {
       key.list("expect", &Scene::expect, expect_section(), standard("[]"), "what the results should be"),
       key.list("verify", &Scene::verify, verify_section(), standard("[]"), "targets of `geodrop verify`"),
       key.list("variants", &Scene::variants, variants_section(), standard("[]"), "runs of `geodrop verify`"),
-  }, rest_in_all_directions};
+  }, complete_values};
 }
 // clang-format on
 
