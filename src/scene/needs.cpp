@@ -74,7 +74,13 @@ bool saturates(const Scene& scene, const std::string& body) {
 }
 
 std::string body_inside(const Scene& scene, const MembraneSpec& membrane) {
-  if (scene.dimension == 2) return membrane.body;
+  if (scene.dimension == 2) {
+    const auto bagged = [&](const BodySpec& soil) {  // a bag of soil and free water has the outline of the water
+      return membrane.interface == Interface::sharp && soil.saturated_by == membrane.body;
+    };
+    const auto soil = std::ranges::find_if(scene.bodies, bagged);
+    return soil == scene.bodies.end() ? membrane.body : soil->name;
+  }
   for (const BodySpec& body : scene.bodies)
     if (const auto* inside = std::get_if<InsideShape>(&body.shape);
         inside && inside->membrane == membrane.name && !saturates(scene, body.name))
@@ -142,7 +148,7 @@ const HydrostaticSpec* still_fluid_of(const InitialStress& stress) {
 double contents_friction(const Scene& scene, const MembraneSpec& membrane) {
   constexpr double share_of_angle = 2.0 / 3;  // of soil on geotextile, as is usual in design
   if (membrane.contents_friction >= 0) return membrane.contents_friction;
-  const MaterialSpec& material = *find_material(scene, find_named(scene.bodies, membrane.body).material);
+  const MaterialSpec& material = *find_material(scene, find_named(scene.bodies, body_inside(scene, membrane)).material);
   if (std::holds_alternative<NewtonianSpec>(material.model)) return 0;
   const auto* soil = std::get_if<MohrCoulombSpec>(&material.model);
   return soil ? std::tan(share_of_angle * soil->friction_angle_deg * std::numbers::pi / 180)

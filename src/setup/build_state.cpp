@@ -154,7 +154,7 @@ void set_surroundings(const Scene& scene, const MembraneSpec& spec, std::size_t 
 Membrane<2> build_membrane(const Scene& scene, const MembraneSpec& spec, const State<2>* earlier) {
   Membrane<2> membrane;
   membrane.name = spec.name;
-  membrane.body = spec.body;
+  membrane.body = body_inside(scene, spec);
   membrane.closed = spec.closed;
   membrane.axial_stiffness = spec.axial_stiffness;
   membrane.strength = spec.strength;

@@ -87,16 +87,16 @@ void check_shift(const Scene& scene, const BodySpec& body, const std::string& ke
 /// In a sharp membrane the water in the pores is a body of its own, apart from that around.
 void check_bagged(const Scene& scene, const BodySpec& soil, const BodySpec& water, const std::string& key,
                   Report& report) {
-  if (in_sharp_membrane(scene, water.name))
-    return report.add(key + ".saturated_by", '"' + water.name + "\", the body of a sharp membrane",
-                      "the soil as the body of that membrane");
   if (!in_sharp_membrane(scene, soil.name)) return;
   if (has_inertial_drag(scene, soil))
     report.add("materials." + soil.material + ".forchheimer_coefficient",
                "Forchheimer's drag for \"" + soil.name + "\" in a sharp membrane", "0 there: Darcy's law");
   const std::string& water_key = report.element("bodies", static_cast<std::size_t>(&water - scene.bodies.data()));
   if (!report.healthy(key + ".shape") || !report.healthy(water_key + ".shape")) return;
-  const bool covers = water.shape == soil.shape && water.minus == soil.minus;
+  const bool outlined = std::ranges::any_of(scene.membranes, [&](const MembraneSpec& membrane) {
+    return scene.dimension == 2 && membrane.interface == Interface::sharp && membrane.body == water.name;
+  });
+  const bool covers = outlined || (water.shape == soil.shape && water.minus == soil.minus);
   const auto soils = std::count_if(scene.bodies.begin(), scene.bodies.end(),
                                    [&](const BodySpec& other) { return other.saturated_by == water.name; });
   if (!covers || soils > 1)

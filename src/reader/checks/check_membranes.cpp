@@ -49,7 +49,7 @@ void check_strength(const MembraneSpec& membrane, const std::string& key, Report
 
 /// A fluid has no effective pressure that friction could follow from.
 void check_contents(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
-  const BodySpec* body = find_body(scene, membrane.body);
+  const BodySpec* body = find_body(scene, body_inside(scene, membrane));
   const MaterialSpec* material = body ? find_material(scene, body->material) : nullptr;
   if (!material || !std::holds_alternative<NewtonianSpec>(material->model)) return;
   if (!report.healthy(key + ".contents_friction")) return;
@@ -116,6 +116,39 @@ void check_permittivity_table(const MembraneSpec& membrane, const std::string& k
                std::to_string(factors.size()) + " values for " + std::to_string(strains.size()) + " strains",
                "one value for each strain");
   }
+}
+
+/// Whether a membrane lies on the outline of the water in the pores of a soil: a bag of soil and free water.
+bool has_free_water(const Scene& scene, const MembraneSpec& membrane) {
+  return scene.dimension == 2 && body_inside(scene, membrane) != membrane.body;
+}
+
+/// Beside free water the cloth alone bears its tension and the penalties of contacts, whose limits of the time step
+/// count on the mass of the soil: the mass per area that dt = C h / c asks of it [kg/m2].
+double least_mass(const Scene& scene, const MembraneSpec& membrane) {
+  const BodySpec& soil = *find_body(scene, body_inside(scene, membrane));
+  const Material skeleton = law_of(scene, soil), water = law_of(scene, *find_body(scene, soil.saturated_by));
+  const double h = finest_spacing(scene.grid), dt = scene.solver.courant * h / wave_speed(water);
+  constexpr double longest_step = 0.577;  // over h and the speed of waves along the cloth, as of bspline2 in the plane
+  double mass = membrane.axial_stiffness * std::pow(dt / (longest_step * h), 2);
+  for (const ContactSpec& contact : scene.contacts) {
+    if (std::ranges::find(contact.between, membrane.name) == contact.between.end()) continue;
+    const double stiffness = contact.stiffness * impedance(skeleton) * wave_speed(skeleton) / h;
+    mass = std::max({mass, 2 * stiffness * dt * dt, 2 * contact.damping * impedance(skeleton) * dt});
+  }
+  return mass;
+}
+
+void check_free_water(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const bool sound = report.healthy("materials") && report.healthy("bodies") && report.healthy("contacts") &&
+                     report.healthy("solver.courant") && report.healthy(key + ".mass_per_area");
+  if (!sound || !has_free_water(scene, membrane)) return;
+  const double least = least_mass(scene, membrane);
+  if (membrane.mass_per_area < least)
+    report.add(key + ".mass_per_area", to_text(membrane.mass_per_area) + " of a bag with free water beside its soil",
+               "at least " + to_text(least) +
+                   " kg/m2, as the cloth alone bears tension and contacts there; a lower solver.courant, "
+                   "axial_stiffness, stiffness or damping of contacts asks for less");
 }
 
 /// Both sides of a sharp interface have pressures of cells, and cells are knot spans.
@@ -200,6 +233,7 @@ void check_membranes(const Scene& scene, Report& report) {
     check_permittivity(scene, membrane, key, report);
     check_permittivity_table(membrane, key, report);
     check_fluid_around(scene, membrane, key, report);
+    check_free_water(scene, membrane, key, report);
     if (report.healthy("solver.transfer")) check_interface(scene, membrane, key, report);
   }
 }
