@@ -40,6 +40,10 @@ void set_box(const GridLayout<2>& layout, const Array<double>& x, const Array<do
   cells.pieces.clear();
 }
 
+/// An edge along a face of cells at the end of the box may be beyond that by round-off: it belongs to the cell before,
+/// whose neighbours are in the box.
+int within_margin(int i, int count) { return std::clamp(i, 1, count - 2); }
+
 /// A place and the way along an edge as the cell sees them, from its middle in its own widths.
 struct InCell {
   int i, j;  ///< in the box
@@ -49,19 +53,22 @@ struct InCell {
 /// An edge in units of h from the lower corner of the box.
 struct UniformEdge {
   double u, v, du, dv;
+  std::array<int, 2> count;
 
   UniformEdge(const GridLayout<2>& layout, const CutCells& cells, const Vec<2>& from, const Vec<2>& along)
       : u((from[0] - layout.lower[0]) * layout.inv_h + (0.5 + GridLayout<2>::pad - cells.first[0])),
         v((from[1] - layout.lower[1]) * layout.inv_h + (0.5 + GridLayout<2>::pad - cells.first[1])),
         du(along[0] * layout.inv_h),
-        dv(along[1] * layout.inv_h) {}
+        dv(along[1] * layout.inv_h),
+        count(cells.count) {}
 
   void add_cuts(std::vector<double>& cuts) const {
     add_crossings(u, du, cuts);
     add_crossings(v, dv, cuts);
   }
   InCell in_cell_at(double t) const {
-    const int i = static_cast<int>(u + t * du), j = static_cast<int>(v + t * dv);
+    const int i = within_margin(static_cast<int>(u + t * du), count[0]);
+    const int j = within_margin(static_cast<int>(v + t * dv), count[1]);
     return {i, j, u - i - 0.5, v - j - 0.5, du, dv};
   }
 };
@@ -85,8 +92,8 @@ class GradedEdge {
     std::array<double, 2> z, d_z;
     for (int a = 0; a < 2; ++a) {
       const KnotTable& knots = layout_.knots[a];
-      const int k = knots.find(from_[a] + t * along_[a]);
-      cell[a] = k - cells_.first[a];
+      cell[a] = within_margin(knots.find(from_[a] + t * along_[a]) - cells_.first[a], cells_.count[a]);
+      const int k = cells_.first[a] + cell[a];
       z[a] = (from_[a] - knots.node(k)) / knots[k].width;
       d_z[a] = along_[a] / knots[k].width;
     }

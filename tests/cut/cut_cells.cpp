@@ -156,6 +156,22 @@ TEST_CASE("An outline along the faces of cells") {
   CHECK(cells.area[around(cells, 3, 3)] == near(1, 1e-13));
 }
 
+TEST_CASE("An outline along the faces of cells has its pieces in cells whose neighbours are in the box") {
+  const Scene scene = box_scene<2>(20, 0.1, WallKind::slip);  // round-off puts faces of 0.1 m here or there
+  const GridLayout<2> of_tenths(scene.grid, scene.walls);
+  for (int low = 2; low < 18; ++low)
+    for (int high = low + 1; high < 18; ++high) {
+      const double from = 0.1 * low + 0.05, to = 0.1 * high + 0.05;
+      const Array<double> x{from, to, to, from}, y{from, from, to, to};
+      EnclosedCells cells;
+      cut_cells(of_tenths, x, y, cells);
+      for (const EnclosedCells::Piece& piece : cells.pieces) {
+        const int i = piece.cell % cells.count[0], j = piece.cell / cells.count[0];
+        REQUIRE(std::min({i, j, cells.count[0] - 1 - i, cells.count[1] - 1 - j}) >= 1);
+      }
+    }
+}
+
 TEST_CASE("The shares of a ragged outline add up to its area, none is below 0 or above 1") {
   for (const int corners : {3, 7, 40, 300}) {
     CAPTURE(corners);
