@@ -252,8 +252,8 @@ void look_beside(const Grids<Dim>& grids, const Outline<Dim>& cells, const BedCe
   contact.permeance = permeance_over(cells, contact);
 }
 
-/// Whether a dry stretch lies in air: no body beside it, and less than half of it on rigid bodies. Where the water
-/// inside presses on it some flows out, else air may come in.
+/// Whether a dry stretch lies in air: no body beside it, and some of it off rigid bodies, which alone lets water
+/// through. Where the water inside presses on it some flows out, else air may come in.
 template <int Dim>
 void look_for_air(const Grids<Dim>& grids, const Outline<Dim>& cells, const std::vector<bool>& touches,
                   Contact<Dim>& contact) {
@@ -264,9 +264,10 @@ void look_for_air(const Grids<Dim>& grids, const Outline<Dim>& cells, const std:
     contact.in_air = contact.in_air || is_in_air(around, flat);
     pressure += water.cell_pressure[flat];
   });
-  contact.in_air = contact.in_air && size_on_rigid(cells, touches, contact) < 0.5 * contact.stretch.size;
+  const double bare = contact.in_air ? 1 - size_on_rigid(cells, touches, contact) / contact.stretch.size : 0;
+  contact.in_air = bare > 1e-9;  // round-off
   if (!contact.in_air) return;
-  contact.permeance = permeance_over(cells, contact);
+  contact.permeance = bare * permeance_over(cells, contact);
   contact.lets_air_in = !(pressure > 0);
 }
 
