@@ -61,7 +61,7 @@ interface = "sharp"
 shear = "rough_wall"
 roughness = 0.003)", {
       key("name", &MembraneSpec::name, required, identifier, "heads the membrane's columns in history.csv"),
-      key("body", &MembraneSpec::body, required, reference, "the body on whose outline it lies").in(2),
+      key("body", &MembraneSpec::body, required, reference, "the body on whose outline it lies; with interface = sharp that may be the water in the pores of a soil, for a bag of soil and free water").in(2),
       key("points", &MembraneSpec::points, "m", standard("[]"), any, "the polyline, each point on the body's outline; empty: the whole outline").in(2),
       key("closed", &MembraneSpec::closed, standard("true"), "the last point joins the first").in(2),
       key("axial_stiffness", &MembraneSpec::axial_stiffness, "N/m", required, not_negative, "J, tension per strain; 0 with mass_per_area = 0: a skin that only carries contact"),
