@@ -194,7 +194,7 @@ TEST_CASE(
   const std::vector<double> with = left("bodies.water.shift_speed=0.5"), without = left("bodies.water.shift_speed=0.0");
   CHECK(with.front() == without.front());
   const double lost = with.front() - with.back();
-  CHECK(lost > 0.07);  // 0.092 by the level that falls
+  CHECK(lost > 0.07);                                       // 0.092 by the level that falls
   CHECK(lost > 1.05 * (without.front() - without.back()));  // 0.0899 and 0.0839, after 8 s 0.1086 and 0.0982
 }
 
