@@ -106,6 +106,25 @@ void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
   }
 }
 
+/// Middle of the cell of each particle less the mean height of the body's particles in it [m]: 0 in a full cell.
+template <int Dim>
+Array<double> middles_over_means(const GridLayout<Dim>& layout, const Body<Dim>& body) {
+  const Array<double>& y = body.x[vertical_axis<Dim>];
+  const auto cell_of = [&](std::size_t p) {
+    std::array<int, Dim> cell;
+    for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, body.x[a][p]);
+    return layout.index(cell);
+  };
+  Array<double> sum(layout.nodes()), count(layout.nodes()), over(body.size());
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    sum[cell_of(p)] += y[p];
+    ++count[cell_of(p)];
+  }
+  for (std::size_t p = 0; p < body.size(); ++p)
+    over[p] = layout.middle_of_cell(vertical_axis<Dim>, y[p]) - sum[cell_of(p)] / count[cell_of(p)];
+  return over;
+}
+
 /// Mass of the water in the pores of a coupled soil per volume of soil [kg/m3]; else 0.
 double water_in_pores(const Scene& scene, const BodySpec& spec) {
   const BodySpec* water = find_body(scene, spec.saturated_by);
@@ -141,15 +160,20 @@ void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& bod
   if (std::holds_alternative<FromExactSpec>(spec.initial_stress))
     return set_exact_stress(exact_solution<Dim>(scene, spec.name), body);
   const double density = reference_density(body.material), pore_water = water_in_pores(scene, spec);
-  const GridLayout<Dim> layout(scene.grid, scene.walls);
+  // The pressure of a cell has its weight at its middle: where it is full in part it begins with that of its particles.
+  const auto* water = std::get_if<Newtonian>(&body.material);
+  const bool level = water && water->has_still_level();
+  const Array<double> over =
+      level ? middles_over_means(GridLayout<Dim>(scene.grid, scene.walls), body) : Array<double>(body.size());
   for (std::size_t p = 0; p < body.size(); ++p) {
     const double y = body.x[Dim - 1][p];
     StressAt at = stress_at(scene, spec.initial_stress, density + pore_water, y);
-    if (std::holds_alternative<Newtonian>(body.material)) at.fluid_pressure -= at.vertical;
-    if (const auto* water = std::get_if<Newtonian>(&body.material))
-      set_fluid(*water, at, body, p, water->of_weight(layout.middle_of_cell(Dim - 1, y)));
-    else
+    if (water) {
+      at.fluid_pressure -= at.vertical;
+      set_fluid(*water, at, body, p, water->of_weight(y + over[p]));
+    } else {
       set_solid(density, at, body, p, pore_water > 0);
+    }
   }
 }
 

@@ -187,15 +187,15 @@ TEST_CASE("Recipe 11: a bag settles on a bed within a skin, where it hovers with
 TEST_CASE(
     "Recipe 12: a bag drains into air through a permittivity, faster where the water in its pores has a shift_speed") {
   const auto left = [&](const char* shift_speed) {
-    const SceneRun run("cases/verification/bag_drains.toml", {"grid.spacing=0.1", "time.end=6", shift_speed});
+    const SceneRun run("cases/verification/bag_drains.toml", {"grid.spacing=0.1", "time.end=8", shift_speed});
     REQUIRE(run.outcome().code == 0);
     return run.column("geotextile.water_inside_m2");
   };
   const std::vector<double> with = left("bodies.water.shift_speed=0.5"), without = left("bodies.water.shift_speed=0.0");
   CHECK(with.front() == without.front());
   const double lost = with.front() - with.back();
-  CHECK(lost > 0.07);                                       // 0.092 by the level that falls
-  CHECK(lost > 1.05 * (without.front() - without.back()));  // 0.0899 and 0.0839, after 8 s 0.1086 and 0.0982
+  CHECK(lost > 0.07);                                      // 0.114 by the level that falls
+  CHECK(lost > 1.1 * (without.front() - without.back()));  // 0.1086 and 0.0982
 }
 
 TEST_CASE("The page has as many recipes as this file") {

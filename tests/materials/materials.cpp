@@ -112,7 +112,7 @@ TEST_CASE("Still water with a still level has its density at every depth; the pr
   for (const double depth : {-2.0, 0.0, 3.0, 12.0}) {  // above the level: less than nothing
     CAPTURE(depth);
     const double weight = 9810 * depth;
-    CHECK(fluid_pressure(fluid, 1, 0, weight) == near(std::max(weight, -1e4), 1e-12));
+    CHECK(fluid_pressure(fluid, 1, 0, weight) == within(std::max(weight, -1e4), 1e-6));
     for (const double J : {0.99, 1.0, 1.002, 1.2}) {
       const double p = fluid_pressure(fluid, J, 0, weight), step = 1e-6;
       const double slope =

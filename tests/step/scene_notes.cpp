@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using namespace geodrop;
 using test::contains;
 
@@ -112,4 +114,17 @@ TEST_CASE("coupled soil is told which pressure suits it: that of particles, in a
   CHECK_FALSE(contains(notes(column, "bodies.soil.pressure='particle'"), "pressure = "));
   CHECK(contains(notes(bag, "bodies.container.pressure='particle'"), "take pressure = \"cell\" in a sharp membrane"));
   CHECK_FALSE(contains(notes(bag, "bodies.container.pressure='cell'"), "pressure = "));
+}
+
+TEST_CASE(
+    "water whose reduced stiffness makes it denser below is told where a bag is in it, and a still level ends that") {
+  const auto told = [](const std::vector<std::string>& settings) {
+    const auto notes = scene_notes(read_scene(source_path("cases/dump_kekerdom_undrained.toml"), settings));
+    return std::ranges::any_of(notes, [](const std::string& note) {
+      return contains(note, "\"water\" is 3.6 % denser at its lowest point than its density says");  // exp(g H / c^2)
+    });
+  };
+  CHECK(told({}));
+  CHECK_FALSE(told({"materials.water.still_level=13.0"}));
+  CHECK_FALSE(told({"materials.water.sound_speed=300"}));
 }

@@ -17,6 +17,7 @@ void rest_in_all_directions(Scene& scene, const toml::table&) {
 
 /// Of fluids with a still level.
 void weigh_still_fluids(Scene& scene) {
+  if (scene.gravity.empty()) return;  // missing, which is said elsewhere
   for (MaterialSpec& material : scene.materials)
     if (auto* fluid = std::get_if<NewtonianSpec>(&material.model); fluid && fluid->still_level)
       fluid->unit_weight = -scene.gravity.back() * fluid->density;
