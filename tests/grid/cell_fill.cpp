@@ -91,6 +91,26 @@ TEST_CASE("The pressure of a cell is the mean of its particles, weighted by volu
   CHECK(tank.grid.cell_pressure[cell] == near(sum / volume, 1e-12));
 }
 
+TEST_CASE_TEMPLATE(
+    "Still water with a still level has the pressure at the middle of its cell, wherever its particles are", Size,
+    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+  constexpr int Dim = Size::value;
+  Tank<Dim> tank(6);  // 3 m
+  Body<Dim>& body = tank.state.bodies[0];
+  Newtonian still = water;
+  still.unit_weight = 1e4;
+  still.still_level = 3;
+  body.material = still;
+  for (double& y : body.x[Dim - 1]) y += 0.1;  // within the cells, which are half as wide at the walls
+  tank.average();
+  for (const auto& [row, depth] : {std::pair{0, 3 - 0.125}, {2, 2.0}, {6, 0.125}}) {
+    std::array<int, Dim> cell;
+    cell.fill(3);
+    cell[Dim - 1] = row;
+    CHECK(tank.grid.cell_pressure[tank.grid.layout.index(cell)] == near(1e4 * depth, 1e-12));
+  }
+}
+
 TEST_CASE("Of a soil the mean pressure counts pores in and tension out") {
   Tank<2> tank(6);
   Body<2>& body = tank.state.bodies[0];
