@@ -244,6 +244,8 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
       return fluid->cavitates() ? fluid_volume_ratio(*fluid, -fluid->tension_cutoff - of_weight)
                                 : std::numeric_limits<double>::infinity();
     };
+    const bool level = fluid->has_still_level();
+    const double torn_anywhere = torn(0);
     // With an implicit pressure waves may go farther than a cell in a step.
     constexpr double most = 0.5;
     const double way = evening * wave_speed(body.material) * dt, share = std::min(most, way * grid.layout.inv_h);
@@ -252,8 +254,9 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     for (std::ptrdiff_t p = 0; p < n; ++p) {
       const int cell = cell_at(grid.layout, body.x, p);
       const double y = body.x[Dim - 1][p];
-      if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= torn(fluid->of_weight(y))) continue;
-      const double of_weight = fluid->of_weight(grid.layout.middle_of_cell(Dim - 1, y));
+      const double whole = level ? torn(fluid->of_weight(y)) : torn_anywhere;
+      if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= whole) continue;
+      const double of_weight = level ? fluid->of_weight(grid.layout.middle_of_cell(Dim - 1, y)) : 0.0;
       const double mean = fluid_volume_ratio(*fluid, grid.cell_pressure[cell] - of_weight, body.gas_at(p));
       const double here = grid.layout.graded() ? std::min(most, way / least_width(grid.layout, cell)) : share;
       body.J[p] += here * (mean - body.J[p]);
