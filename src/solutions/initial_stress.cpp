@@ -50,11 +50,10 @@ StressAt stress_at(const Scene& scene, const InitialStress& initial, double dens
   return out;
 }
 
-/// of_weight: the part of the pressure that the density does not follow [Pa].
 template <int Dim>
-void set_fluid(const Newtonian& water, const StressAt& at, Body<Dim>& body, std::size_t p, double of_weight = 0) {
+void set_fluid(const Newtonian& water, const StressAt& at, Body<Dim>& body, std::size_t p) {
   const double volume = body.J[p];
-  body.J[p] = fluid_volume_ratio(water, at.fluid_pressure - of_weight);
+  body.J[p] = fluid_volume_ratio(water, at.fluid_pressure);
   body.mass[p] = water.density * volume / body.J[p];
 }
 
@@ -170,7 +169,8 @@ void set_initial_stress(const Scene& scene, const BodySpec& spec, Body<Dim>& bod
     StressAt at = stress_at(scene, spec.initial_stress, density + pore_water, y);
     if (water) {
       at.fluid_pressure -= at.vertical;
-      set_fluid(*water, at, body, p, water->of_weight(y + over[p]));
+      at.fluid_pressure -= water->of_weight(y + over[p]);  // the density follows the rest
+      set_fluid(*water, at, body, p);
     } else {
       set_solid(density, at, body, p, pore_water > 0);
     }

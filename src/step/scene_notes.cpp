@@ -74,10 +74,9 @@ std::string denser_below(const Scene& scene, const BodySpec& body) {
   constexpr double little = 0.01;
   const auto* fluid = std::get_if<NewtonianSpec>(&find_material(scene, body.material)->model);
   const auto* still = std::get_if<HydrostaticSpec>(&body.initial_stress);
-  const bool around = std::ranges::any_of(scene.membranes, [&](const MembraneSpec& membrane) {
-    return membrane.interface == Interface::sharp && body_inside(scene, membrane) != body.name;
-  });
-  if (!fluid || !still || !around || saturates(scene, body.name) || fluid->still_level) return {};
+  const auto is_sharp = [](const MembraneSpec& membrane) { return membrane.interface == Interface::sharp; };
+  const bool around_bags = std::ranges::any_of(scene.membranes, is_sharp) && !in_sharp_membrane(scene, body.name);
+  if (!fluid || !still || !around_bags || saturates(scene, body.name) || fluid->still_level) return {};
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   const double rise = still_fluid_pressure(scene, *still, box.lower.back()) / fluid->bulk_modulus;
   if (rise < little) return {};
