@@ -249,14 +249,15 @@ void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
     // With an implicit pressure waves may go farther than a cell in a step.
     constexpr double most = 0.5;
     const double way = evening * wave_speed(body.material) * dt, share = std::min(most, way * grid.layout.inv_h);
+    const double* const middle_of_row = grid.layout.middle_of_row.data() + GridLayout<Dim>::pad;
     const auto n = static_cast<std::ptrdiff_t>(body.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = 0; p < n; ++p) {
-      const int cell = cell_at(grid.layout, body.x, p);
-      const double y = body.x[Dim - 1][p];
-      const double whole = level ? torn(fluid->of_weight(y)) : torn_anywhere;
+      const std::array<int, Dim> place = place_of_cell_at(grid.layout, body.x, p);
+      const int cell = grid.layout.index(place);
+      const double whole = level ? torn(fluid->of_weight(body.x[Dim - 1][p])) : torn_anywhere;
       if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= whole) continue;
-      const double of_weight = level ? fluid->of_weight(grid.layout.middle_of_cell(Dim - 1, y)) : 0.0;
+      const double of_weight = level ? fluid->of_weight(middle_of_row[place[Dim - 1]]) : 0.0;
       const double mean = fluid_volume_ratio(*fluid, grid.cell_pressure[cell] - of_weight, body.gas_at(p));
       const double here = grid.layout.graded() ? std::min(most, way / least_width(grid.layout, cell)) : share;
       body.J[p] += here * (mean - body.J[p]);

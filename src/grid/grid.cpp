@@ -130,6 +130,11 @@ GridLayout<Dim>::GridLayout(const GridSpec& spec, const WallsSpec& walls)
     particle_lower[a] = lower[a] - beyond;
     particle_upper[a] = upper[a] + beyond;
   }
+  constexpr int up = Dim - 1;
+  for (int i = -pad; i <= cells[up] + pad; ++i) {
+    const double quarter = periodic(up) ? 0.0 : 0.25 * span_width(up, i) * h;
+    middle_of_row.push_back(node(up, i) + (i == 0 ? quarter : 0.0) - (i == cells[up] ? quarter : 0.0));
+  }
 }
 
 template <int Dim>

@@ -31,13 +31,19 @@ int mirrored(const GridLayout<Dim>& layout, const std::array<int, Dim>& cell, co
   return flat;
 }
 
-/// Flat index of the cell that a point is in; x: coordinates of points, an array for each axis [m]. Inlined: loops over
-/// particles would spend as much on the call.
+/// The cell that a point is in; x: coordinates of points, an array for each axis [m]. Inlined: loops over particles
+/// would spend as much on the call.
 template <int Dim, class Points>
-[[gnu::always_inline]] inline int cell_at(const GridLayout<Dim>& layout, const Points& x, std::size_t point) {
+[[gnu::always_inline]] inline std::array<int, Dim> place_of_cell_at(const GridLayout<Dim>& layout, const Points& x,
+                                                                    std::size_t point) {
   std::array<int, Dim> cell;
   for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, x[a][point]);
-  return layout.index(cell);
+  return cell;
+}
+/// Its flat index.
+template <int Dim, class Points>
+[[gnu::always_inline]] inline int cell_at(const GridLayout<Dim>& layout, const Points& x, std::size_t point) {
+  return layout.index(place_of_cell_at(layout, x, point));
 }
 
 /// Calls f(flat neighbour, offsets a in {0,1,2}^Dim) for the 3^Dim neighbourhood.

@@ -119,8 +119,10 @@ Array<double> middles_over_means(const GridLayout<Dim>& layout, const Body<Dim>&
     sum[cell_of(p)] += y[p];
     ++count[cell_of(p)];
   }
-  for (std::size_t p = 0; p < body.size(); ++p)
-    over[p] = layout.middle_of_cell(vertical_axis<Dim>, y[p]) - sum[cell_of(p)] / count[cell_of(p)];
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const int row = layout.base(vertical_axis<Dim>, y[p]) + GridLayout<Dim>::pad;
+    over[p] = layout.middle_of_row[row] - sum[cell_of(p)] / count[cell_of(p)];
+  }
   return over;
 }
 

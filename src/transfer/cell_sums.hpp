@@ -8,16 +8,16 @@ namespace geodrop {
 
 /// The weight of water with a still level is that of its cell's middle, wherever particles are in it.
 template <int Dim>
-void take_weight_at_middle(const Newtonian& water, const GridLayout<Dim>& layout, const double* y, int count,
-                           double* pressure) {
-  constexpr int up = Dim - 1;
-  for (int k = 0; k < count; ++k) pressure[k] += water.unit_weight * (y[k] - layout.middle_of_cell(up, y[k]));
+void take_weight_at_middle(const Newtonian& water, const GridLayout<Dim>& layout, const double* y,
+                           const std::int32_t* row, int count, double* pressure) {
+  const double* const middle = layout.middle_of_row.data();
+  for (int k = 0; k < count; ++k) pressure[k] += water.unit_weight * (y[k] - middle[row[k]]);
 }
 
 template <int Dim>
 void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   alignas(64) double volume[chunk_size], pressure[chunk_size];
-  alignas(64) std::int32_t cell[chunk_size];
+  alignas(64) std::int32_t cell[chunk_size], row[chunk_size];
   const double carried = body.pressure == PressureSupport::cell ? 1.0 : 0.0;
   const auto* const water = std::get_if<Newtonian>(&body.material);
   const double implicit = !body.implicit_pores.empty() ? implicit_modulus(body.material) : 0.0;
@@ -29,20 +29,20 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     chunk_volumes<Dim>(body, p, count, volume, pressure);
-    if (water && water->has_still_level())
-      take_weight_at_middle(*water, layout, body.x[Dim - 1].data() + p, count, pressure);
     for (int k = 0; k < count; ++k) cell[k] = 0;
     for (int a = 0; a < Dim; ++a) {
       const double* const x = body.x[a].data() + p;
       if (layout.graded()) {
-        for (int k = 0; k < count; ++k) cell[k] += layout.knots[a].find_inside(x[k]) * layout.stride[a];
-        continue;
+        for (int k = 0; k < count; ++k) row[k] = layout.knots[a].find_inside(x[k]);
+      } else {
+        const double lower = layout.lower[a], inv_h = layout.inv_h;
+        for (int k = 0; k < count; ++k)
+          row[k] = static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad;
       }
-      const double lower = layout.lower[a], inv_h = layout.inv_h;
-      for (int k = 0; k < count; ++k)
-        cell[k] += (static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad) *
-                   layout.stride[a];
+      for (int k = 0; k < count; ++k) cell[k] += row[k] * layout.stride[a];
     }
+    if (water && water->has_still_level())  // rows are those along the last axis here
+      take_weight_at_middle(*water, layout, body.x[Dim - 1].data() + p, row, count, pressure);
     for (int k = 0; k < count; ++k) {
       cell_volume[cell[k]] += volume[k];
       cell_pressure[cell[k]] += carried * volume[k] * pressure[k];

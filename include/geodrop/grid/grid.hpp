@@ -61,6 +61,8 @@ struct GridLayout {
   double finest = 0;  ///< width of the finest cell; h on a uniform grid [m]
   /// Of a graded grid, the knots of all axes, uniform ones too; else empty.
   std::array<KnotTable, Dim> knots;
+  /// Middle of each row of cells, layer in space, from the lowest stored one up: those on a wall are half as wide [m].
+  Array<double> middle_of_row;
   /// Where particles may be between two sorts [m]: the domain, and along a periodic axis a cell more on both sides.
   std::array<double, Dim> particle_lower{}, particle_upper{};
 
@@ -92,12 +94,6 @@ struct GridLayout {
   }
   /// Place of node i along one axis [m].
   double node(int axis, int i) const { return graded() ? knots[axis].node(i + pad) : lower[axis] + i * h; }
-  /// Middle of the cell that holds x along one axis: that of a node on a wall is half as wide [m].
-  double middle_of_cell(int axis, double x) const {
-    const int i = base(axis, x);
-    const double quarter = periodic(axis) ? 0.0 : 0.25 * span_width(axis, i) * h;
-    return node(axis, i) + (i == 0 ? quarter : 0.0) - (i == cells[axis] ? quarter : 0.0);
-  }
   /// Width of the knot span of node i along one axis, walls or not [h].
   double span_width(int axis, int i) const { return graded() ? knots[axis][i + pad].width * inv_h : 1.0; }
   /// The knot span of a stored node along one axis, walls or not.
