@@ -32,14 +32,16 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
     for (int k = 0; k < count; ++k) cell[k] = 0;
     for (int a = 0; a < Dim; ++a) {
       const double* const x = body.x[a].data() + p;
+      const int stride = layout.stride[a];
       if (layout.graded()) {
-        for (int k = 0; k < count; ++k) row[k] = layout.knots[a].find_inside(x[k]);
-      } else {
-        const double lower = layout.lower[a], inv_h = layout.inv_h;
-        for (int k = 0; k < count; ++k)
-          row[k] = static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad;
+        for (int k = 0; k < count; ++k) cell[k] += (row[k] = layout.knots[a].find_inside(x[k])) * stride;
+        continue;
       }
-      for (int k = 0; k < count; ++k) cell[k] += row[k] * layout.stride[a];
+      const double lower = layout.lower[a], inv_h = layout.inv_h;
+      for (int k = 0; k < count; ++k) {
+        row[k] = static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad;
+        cell[k] += row[k] * stride;
+      }
     }
     if (water && water->has_still_level())  // rows are those along the last axis here
       take_weight_at_middle(*water, layout, body.x[Dim - 1].data() + p, row, count, pressure);
