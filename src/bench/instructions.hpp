@@ -21,8 +21,7 @@ struct InstructionCount {
   }
 };
 
-/// Share of instructions more than the committed ones that fails: the place of a checkout moves the heap, and with it
-/// counts of the same code by up to 1.1 % (perf/README.md).
+/// Share of instructions more than the committed ones that fails (perf/README.md).
 inline constexpr double allowed_more = 0.02;
 
 struct InstructionVerdict {
@@ -45,7 +44,8 @@ std::vector<InstructionCount> merge_instructions(std::vector<InstructionCount> c
 std::vector<InstructionCount> read_instructions(const std::filesystem::path& file);
 void write_instructions(const std::filesystem::path& file, const std::vector<InstructionCount>& rows);
 
-/// The number of instructions in a dump of callgrind; throws std::runtime_error if there is none.
-double callgrind_total(const std::string& dump);
+/// Instructions in a dump of callgrind but those of the memory allocator (glibc, malloc.c): how long it looks for room
+/// hangs on the length of the paths that the program was given. Throws std::runtime_error if the dump has no counts.
+double instructions_in(const std::string& dump);
 
 }  // namespace geodrop

@@ -6,6 +6,7 @@
 #include <geodrop/solutions/exact.hpp>
 #include <stdexcept>
 
+#include "grid/neighbourhood.hpp"
 #include "materials/laws.hpp"
 #include "scene/needs.hpp"
 
@@ -109,11 +110,7 @@ void set_exact_stress(const ExactSolution<Dim>& solution, Body<Dim>& body) {
 template <int Dim>
 Array<double> middles_over_means(const GridLayout<Dim>& layout, const Body<Dim>& body) {
   const Array<double>& y = body.x[vertical_axis<Dim>];
-  const auto cell_of = [&](std::size_t p) {
-    std::array<int, Dim> cell;
-    for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, body.x[a][p]);
-    return layout.index(cell);
-  };
+  const auto cell_of = [&](std::size_t p) { return cell_at(layout, body.x, p); };
   Array<double> sum(layout.nodes()), count(layout.nodes()), over(body.size());
   for (std::size_t p = 0; p < body.size(); ++p) {
     sum[cell_of(p)] += y[p];

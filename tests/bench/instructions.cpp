@@ -83,8 +83,12 @@ TEST_CASE("A broken table is refused with file and line") {
                       doctest::Contains("instructions.csv:3:1: --instructions: found water"));
 }
 
-TEST_CASE("The total of a dump of callgrind") {
-  CHECK(callgrind_total("version: 1\nevents: Ir\n\nfn=(1)\n1 5\n\ntotals: 12345678901\n") == 12345678901.0);
-  CHECK(callgrind_total("version: 1\nevents: Ir\nsummary: 77\n\nfn=(1)\n") == 77);
-  CHECK_THROWS_WITH(callgrind_total("version: 1\n"), "callgrind wrote no total");
+TEST_CASE("Instructions of a dump are those of its functions, calls once, the allocator's left out") {
+  const std::string step = "fl=(1) step.cpp\nfn=(1) step\n7 100\n+1 20\n";
+  const std::string call = "cfi=(2) ./malloc/malloc.c\ncfn=(2) malloc\ncalls=3 0\n* 40\n";
+  const std::string allocator = "fl=(2)\nfn=(2)\n0 30\nfe=(3) arena.c\n0 10\n";
+  CHECK(instructions_in("version: 1\nevents: Ir\nsummary: 120\n\n" + step) == 120);
+  CHECK(instructions_in("events: Ir\n\n" + step + call + "-2 3\n\n" + allocator + "\ntotals: 163\n") == 123);
+  CHECK(instructions_in("events: Ir\n\nfl=(5) malloc.c\nfn=(2) malloc\n0 30\n\nfl=(1) a.cpp\nfn=(1) a\n0 5\n") == 5);
+  CHECK_THROWS_WITH(instructions_in("version: 1\n"), "callgrind wrote no counts");
 }
