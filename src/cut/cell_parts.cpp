@@ -45,11 +45,9 @@ std::vector<CutCell<3>> cut_cells_of(const Grid<3>& grid, const Membrane<3>&) {
   for (const ClippedSurface::Flank& flank : cells.flanks) {
     if (place[flank.cell] < 0) {
       place[flank.cell] = static_cast<int>(cut.size());
-      const CellSpans<3> spans{SpanShape{h}, SpanShape{h}, SpanShape{h}};
-      cut.push_back({flat_of(grid.layout, cells, flank.cell),
-                     faces_of(cells, flank.cell, spans),
-                     beside_right_face(cells, flank.cell, spans),
-                     {}});
+      const int flat = flat_of(grid.layout, cells, flank.cell);
+      const CellSpans<3> spans = spans_of(grid.layout, flat);
+      cut.push_back({flat, faces_of(cells, flank.cell, spans), beside_right_face(cells, flank.cell, spans), {}});
     }
     CutCell<3>& cell = cut[place[flank.cell]];
     for (int n = 0; n < 27; ++n) {

@@ -1,5 +1,4 @@
-// int grad N and int N over a cell and over the part of it that an outline cuts off; in the plane on knot spans of any
-// width.
+// int grad N and int N over a cell, knot spans of any width, and over the part of it that an outline cuts off.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
@@ -125,11 +124,12 @@ inline void add_face(const ClippedCells::FaceMoments& moments, int axis, int sid
                      Slope<3>& slope) {
   constexpr std::array<int, 3> step{1, 3, 9};
   const int u = (axis + 1) % 3, w = (axis + 2) % 3;
-  const std::array<double, 9> along = face_integrals(moments);
-  const double size = (side == 1 ? 0.5 : -0.5) * cell[u].width * cell[w].width;  // N across is 1/2 for both
-  for (int n = 0; n < 9; ++n)
-    for (const int k : {side, side + 1})
-      slope[k * step[axis] + n % 3 * step[u] + n / 3 * step[w]][axis] += size * along[n];
+  const std::array<double, 9> along = face_integrals(moments, cell[u], cell[w]);
+  const double sign = side == 1 ? 1 : -1, beyond = side == 1 ? cell[axis].above : cell[axis].below;
+  for (const int k : {side, side + 1}) {
+    const double size = sign * (k == 1 ? 1 - beyond : beyond) * cell[u].width * cell[w].width;
+    for (int n = 0; n < 9; ++n) slope[k * step[axis] + n % 3 * step[u] + n / 3 * step[w]][axis] += size * along[n];
+  }
 }
 
 /// a_ic of a cut cell without what the membrane adds.
@@ -175,7 +175,7 @@ inline SplineVolumes<2> beside_right_face(const CutCells& cells, int c, const Ce
 }
 inline SplineVolumes<3> beside_right_face(const ClippedCells& cells, int c, const CellSpans<3>& cell) {
   const std::array<double, 3> x = cell[0].values();
-  const std::array<double, 9> along = face_integrals(cells.upper_face[0][c]);
+  const std::array<double, 9> along = face_integrals(cells.upper_face[0][c], cell[1], cell[2]);
   const double size = cell[0].width * cell[1].width * cell[2].width;
   SplineVolumes<3> value;
   for (int n = 0; n < 27; ++n) value[n] = size * x[n % 3] * along[n / 3];

@@ -18,39 +18,71 @@ namespace geodrop {
 
 inline Vec<3> to_vector(const SpacePoint& x) { return {x[0], x[1], x[2]}; }
 
+/// Where a cell of a box is, and how large [h].
+struct BoxCell {
+  Vec<3> middle, per_width;  ///< 1 / width
+  Vec<3> per_face;           ///< 1 / area of the face across each axis
+
+  BoxCell(const ClippedCells& cells, const std::array<int, 3>& at) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double lower = cells.plane[a][at[a]], upper = cells.plane[a][at[a] + 1];
+      middle[a] = 0.5 * (lower + upper);
+      per_width[a] = 1 / (upper - lower);
+    }
+    for (int a = 0; a < 3; ++a) per_face[a] = per_width[(a + 1) % 3] * per_width[(a + 2) % 3];
+  }
+  BoxCell(const ClippedCells& cells, int c)
+      : BoxCell(cells,
+                {c % cells.count[0], c / cells.count[0] % cells.count[1], c / (cells.count[0] * cells.count[1])}) {}
+
+  /// From its middle, in its widths.
+  Vec<3> place_of(const Vec<3>& x) const { return (x - middle).cwiseProduct(per_width); }
+  /// Area of a piece with this unit normal, as the cell sees it.
+  double faces_of(double area, const Vec<3>& normal) const {
+    if (per_width[0] == per_width[1] && per_width[0] == per_width[2]) return area * per_face[0];
+    return area * normal.cwiseProduct(per_face).norm();
+  }
+};
+
 /// Cells that a piece reaches along an axis.
-inline std::pair<int, int> reach(const ConvexPiece& piece, std::size_t axis) {
+inline std::pair<int, int> reach(const ClippedCells& cells, const ConvexPiece& piece, std::size_t axis) {
   double low = piece.at[0][axis], high = low;
   for (std::size_t k = 1; k < piece.count; ++k) {
     low = std::min(low, piece.at[k][axis]);
     high = std::max(high, piece.at[k][axis]);
   }
-  const int from = static_cast<int>(std::floor(low));
-  return {from, std::max(from, static_cast<int>(std::ceil(high)) - 1)};
+  if (cells.even) {
+    const int from = static_cast<int>(std::floor(low));
+    return {from, std::max(from, static_cast<int>(std::ceil(high)) - 1)};
+  }
+  const Array<double>& plane = cells.plane[axis];
+  const int from = static_cast<int>(std::upper_bound(plane.begin(), plane.end(), low) - plane.begin()) - 1;
+  return {from,
+          std::max(from, static_cast<int>(std::lower_bound(plane.begin(), plane.end(), high) - plane.begin()) - 1)};
 }
 
 /// f(cell, piece) for the pieces of a polygon along an axis and those after it.
 template <std::size_t axis, class F>
-void split_into_cells(ConvexPiece rest, std::array<int, 3>& cell, F& f) {
+void split_into_cells(const ClippedCells& cells, ConvexPiece rest, std::array<int, 3>& cell, F& f) {
   if constexpr (axis == 3) {
     f(cell, rest);
   } else {
-    const auto [from, to] = reach(rest, axis);
+    const auto [from, to] = reach(cells, rest, axis);
     for (int i = from; i <= to && rest.count > 0; ++i) {
       ConvexPiece own = rest, beyond;
       beyond.count = 0;
-      if (i < to) split(rest, axis, i + 1, own, beyond);
+      if (i < to) split(rest, axis, cells.plane[axis][i + 1], own, beyond);
       cell[axis] = i;
-      if (own.count > 0) split_into_cells<axis + 1>(own, cell, f);
+      if (own.count > 0) split_into_cells<axis + 1>(cells, own, cell, f);
       rest = beyond;
     }
   }
 }
 
-/// A triangle of the surface in the coordinates of the box.
+/// A triangle of the surface in the coordinates of the box [h].
 struct Facet {
   std::array<Vec<3>, 3> corner;
-  Vec<3> normal;                          ///< area times unit normal [cells2]
+  Vec<3> normal;                          ///< area times unit normal [h2]
   Eigen::Matrix<double, 2, 3> to_shares;  ///< of corners 1 and 2, from the way from corner 0
 
   explicit Facet(const std::array<Vec<3>, 3>& corners) : corner(corners) {
@@ -62,7 +94,7 @@ struct Facet {
   }
 };
 
-/// f(local cell, its middle, piece) for the pieces of a triangle in the cells of a box.
+/// f(local cell, where it is, piece) for the pieces of a triangle in the cells of a box.
 template <class F>
 void for_each_piece_of(const Facet& facet, const ClippedCells& cells, F&& f) {
   ConvexPiece whole;
@@ -70,9 +102,9 @@ void for_each_piece_of(const Facet& facet, const ClippedCells& cells, F&& f) {
   for (const Vec<3>& x : facet.corner) whole.add({x[0], x[1], x[2]});
   std::array<int, 3> cell{};
   const auto visit = [&](const std::array<int, 3>& at, const ConvexPiece& piece) {
-    f(at[0] + cells.count[0] * (at[1] + cells.count[1] * at[2]), Vec<3>(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5), piece);
+    f(at[0] + cells.count[0] * (at[1] + cells.count[1] * at[2]), BoxCell(cells, at), piece);
   };
-  split_into_cells<0>(whole, cell, visit);
+  split_into_cells<0>(cells, whole, cell, visit);
 }
 
 /// f(corners, area) for the triangles of a piece; the integrals of the linear functions of the facet's corners over the

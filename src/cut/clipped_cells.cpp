@@ -16,18 +16,19 @@ class Clipper {
     const double size = facet.normal.norm();
     if (!(size > 0)) return;
     const Vec<3> unit = facet.normal / size;
-    for_each_piece_of(facet, cells_, [&](int c, const Vec<3>& middle, const ConvexPiece& piece) {
+    for_each_piece_of(facet, cells_, [&](int c, const BoxCell& cell, const ConvexPiece& piece) {
+      const Vec<3> normal = unit.cwiseProduct(cell.per_face);
       const auto share = for_each_fan(facet, size, piece, [&](const std::array<Vec<3>, 3>& fan, double area) {
         for (const TrianglePoint& q : triangle_degree_4)
-          add_point(c, q.share[0] * fan[0] + q.share[1] * fan[1] + q.share[2] * fan[2] - middle,
-                    q.weight * area * unit);
+          add_point(c, cell.place_of(q.share[0] * fan[0] + q.share[1] * fan[1] + q.share[2] * fan[2]),
+                    q.weight * area * normal);
       });
       cells_.pieces.push_back({c, triangle, share});
     });
   }
 
  private:
-  /// z from the middle of the cell; `normal` times weight.
+  /// z from the middle of the cell [its widths]; `normal` times weight [its faces].
   void add_point(int c, const Vec<3>& z, const Vec<3>& normal) {
     cells_.inside[c] += normal[0] * (z[0] + 0.5);
     for (int a = 0; a < 3; ++a) {
@@ -48,6 +49,18 @@ class Clipper {
   ClippedCells& cells_;
 };
 
+/// Coordinates of the box: cells are about nodes, the lower side of an even cell 0 is half a cell below its node.
+double in_box(const GridLayout<3>& layout, const ClippedCells& cells, int axis, double x) {
+  return (x - layout.lower[axis]) * layout.inv_h + 0.5 + GridLayout<3>::pad - cells.first[axis];
+}
+
+void place_planes(const GridLayout<3>& layout, int axis, ClippedCells& cells) {
+  Array<double>& plane = cells.plane[static_cast<std::size_t>(axis)];
+  plane.resize(cells.count[axis] + 1);
+  for (int i = 0; i <= cells.count[axis]; ++i)
+    plane[i] = layout.graded() ? in_box(layout, cells, axis, layout.knots[axis][cells.first[axis] + i].left) : i;
+}
+
 }  // namespace
 
 void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells) {
@@ -57,7 +70,9 @@ void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, Clipped
     cells.first[a] = layout.base(a, *low) + GridLayout<3>::pad - 1;
     cells.count[a] = layout.base(a, *high) + GridLayout<3>::pad + 2 - cells.first[a];
     size *= cells.count[a];
+    place_planes(layout, a, cells);
   }
+  cells.even = !layout.graded();
   cells.inside.assign(size, 0.0);
   for (auto& face : cells.upper_face) face.assign(size, {});
   cells.pieces.clear();
@@ -65,15 +80,13 @@ void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, Clipped
 
 Facet facet_of(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedCells& cells,
                std::size_t triangle) {
-  // Cells are about nodes: the lower side of cell 0 is half a cell below its node.
-  const auto in_box = [&](std::size_t node) {
+  const auto place = [&](std::size_t node) {
     Vec<3> x;
-    for (int a = 0; a < 3; ++a)
-      x[a] = (membrane.x[a][node] - layout.lower[a]) * layout.inv_h + 0.5 + GridLayout<3>::pad - cells.first[a];
+    for (int a = 0; a < 3; ++a) x[a] = in_box(layout, cells, a, membrane.x[a][node]);
     return x;
   };
   const auto& corner = membrane.triangles.corner;
-  return Facet({in_box(corner[0][triangle]), in_box(corner[1][triangle]), in_box(corner[2][triangle])});
+  return Facet({place(corner[0][triangle]), place(corner[1][triangle]), place(corner[2][triangle])});
 }
 
 void sum_beyond_faces(ClippedCells& cells) {
@@ -103,13 +116,14 @@ void clip_cells(const GridLayout<3>& layout, const Membrane<3>& membrane, Clippe
   sum_beyond_faces(cells);
 }
 
-std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments) {
+std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments, const SpanShape& along_u,
+                                     const SpanShape& along_w) {
+  const SplinePowers of_u = spline_powers(along_u), of_w = spline_powers(along_w);
   std::array<double, 9> integral{};
   for (std::size_t w = 0; w < 3; ++w)
     for (std::size_t u = 0; u < 3; ++u)
       for (std::size_t b = 0; b < 3; ++b)
-        for (std::size_t a = 0; a < 3; ++a)
-          integral[u + 3 * w] += spline_powers[u][a] * spline_powers[w][b] * moments[a + 3 * b];
+        for (std::size_t a = 0; a < 3; ++a) integral[u + 3 * w] += of_u[u][a] * of_w[w][b] * moments[a + 3 * b];
   return integral;
 }
 

@@ -37,10 +37,18 @@ inline int local_around(const ClippedCells& cells, int cell, int n) {
   return cell + n % 3 - 1 + cells.count[0] * (n / 3 % 3 - 1 + cells.count[1] * (n / 9 - 1));
 }
 
-/// Coefficients of 1, z, z^2 of the splines of the nodes below, at and above a cell; z from -1/2 to 1/2.
-inline constexpr double spline_powers[3][3] = {{0.125, -0.5, 0.5}, {0.75, 0, -1}, {0.125, 0.5, 0.5}};
+/// Coefficients of 1, z, z^2 of the splines of the nodes below, at and above a span; z from -1/2 to 1/2.
+using SplinePowers = std::array<std::array<double, 3>, 3>;
+inline SplinePowers spline_powers(const SpanShape& span) {
+  const double below = span.below, above = span.above;
+  return {{{0.25 * below, -below, below},
+           {1 - 0.25 * (below + above), below - above, -(below + above)},
+           {0.25 * above, above, above}}};
+}
 
-/// int N over the part of a face inside, for the 3 x 3 nodes along its two axes, first axis fastest [its area].
-std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments);
+/// int N over the part of a face inside, for the 3 x 3 nodes along its two axes, which follow the face's own
+/// cyclically, first axis fastest [its area].
+std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments, const SpanShape& along_u = {1},
+                                     const SpanShape& along_w = {1});
 
 }  // namespace geodrop

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "cells_around.hpp"
 #include "clip_pieces.hpp"
 #include "clipped_cells.hpp"
 #include "geometry/corner.hpp"
@@ -23,12 +24,12 @@ constexpr std::array<TrianglePoint, 4> degree_7{
      {{0.03432430294509488, 0.6609491961867980, 0.3047265008681072}, 0.05755008556995056},
      {{0.5158423343536001, 0.2777161669764050, 0.2064414986699949}, 0.13498637401961758}}};
 
-/// Moments int u^a v^b w^c dA of a piece, at 9 a + b + 3 c; u, v, w from the middle of its cell.
+/// Moments int u^a v^b w^c dA of a piece [h2], at 9 a + b + 3 c; u, v, w from the middle of its cell [its widths].
 constexpr std::size_t moment_count = 36;
 
 struct RawPiece {
   ClippedCells::Piece piece;
-  double area;
+  double area, faces;
   std::array<double, 3> normal;  ///< unit
   std::array<double, moment_count> moments;
 };
@@ -47,16 +48,17 @@ void add_triangle(std::uint32_t triangle, const Facet& facet, const ClippedCells
   const double size = facet.normal.norm();
   if (!(size > 0)) return;
   const Vec<3> unit = facet.normal / size;
-  for_each_piece_of(facet, cells, [&](int cell, const Vec<3>& middle, const ConvexPiece& piece) {
-    RawPiece& raw = out.emplace_back(RawPiece{{cell, triangle, {}}, 0, {unit[0], unit[1], unit[2]}, {}});
+  for_each_piece_of(facet, cells, [&](int c, const BoxCell& cell, const ConvexPiece& piece) {
+    RawPiece& raw = out.emplace_back(RawPiece{{c, triangle, {}}, 0, 0, {unit[0], unit[1], unit[2]}, {}});
     raw.piece.share = for_each_fan(facet, size, piece, [&](const std::array<Vec<3>, 3>& fan, double area) {
       raw.area += area;
       for (const TrianglePoint& q : degree_7)
         for (std::size_t turn = 0; turn < 3; ++turn) {
           const Vec<3> x = q.share[0] * fan[turn] + q.share[1] * fan[(turn + 1) % 3] + q.share[2] * fan[(turn + 2) % 3];
-          add_point(x - middle, q.weight * area, raw.moments);
+          add_point(cell.place_of(x), q.weight * area, raw.moments);
         }
     });
+    raw.faces = cell.faces_of(raw.area, unit);
   });
 }
 
@@ -99,60 +101,76 @@ Sorted sort_by_cell(const std::vector<RawPiece>& pieces) {
   return out;
 }
 
-/// int u^a v^b w^c n dA of a flank.
+/// int u^a v^b w^c n dA of a flank [h2].
 struct FlankSums {
-  double area = 0;
+  double area = 0, faces = 0;
   std::array<std::array<double, moment_count>, 3> moments{};
 
   void add(const RawPiece& piece) {
     area += piece.area;
+    faces += piece.faces;
     for (std::size_t d = 0; d < 3; ++d)
       for (std::size_t k = 0; k < moment_count; ++k) moments[d][k] += piece.normal[d] * piece.moments[k];
   }
 };
 
+std::array<double, 3> face_shares(const ClippedCells& cells, int c) {
+  const Vec<3> per_face = BoxCell(cells, c).per_face;
+  return {per_face[0], per_face[1], per_face[2]};
+}
+
 /// What a flank projects to the faces of its cell, and its part of the cell; sum_beyond_faces does the rest.
 void add_to_cell(const FlankSums& sums, int c, ClippedCells& cells) {
   const auto& [x, y, z] = sums.moments;
-  cells.inside[c] += x[9] + 0.5 * x[0];
+  const auto [across_x, across_y, across_z] = face_shares(cells, c);
+  cells.inside[c] += across_x * (x[9] + 0.5 * x[0]);
   for (std::size_t b = 0; b < 3; ++b)
     for (std::size_t a = 0; a < 3; ++a) {
-      cells.upper_face[0][c][a + 3 * b] += x[a + 3 * b];      // y, z
-      cells.upper_face[1][c][a + 3 * b] += y[9 * b + 3 * a];  // z, x
-      cells.upper_face[2][c][a + 3 * b] += z[9 * a + b];      // x, y
+      cells.upper_face[0][c][a + 3 * b] += across_x * x[a + 3 * b];      // y, z
+      cells.upper_face[1][c][a + 3 * b] += across_y * y[9 * b + 3 * a];  // z, x
+      cells.upper_face[2][c][a + 3 * b] += across_z * z[9 * a + b];      // x, y
     }
 }
 
-/// sum over powers of u of `powers` times what stands there, for the splines across: of 3 x 3 moments those of nodes.
+/// Sums over powers of u, v, w of what the splines of the nodes around have of them, times the moments.
 template <std::size_t count>
-std::array<double, 27> of_nodes(const std::array<double, moment_count>& moments, const double (&powers)[3][count]) {
+std::array<double, 27> of_nodes(const std::array<double, moment_count>& moments,
+                                const std::array<std::array<double, count>, 3>& of_u, const SplinePowers& of_v,
+                                const SplinePowers& of_w) {
   std::array<double, 27> out{};
   for (std::size_t i = 0; i < 3; ++i) {
     std::array<double, 9> along_u{}, along_v{};
     for (std::size_t a = 0; a < count; ++a)
-      for (std::size_t k = 0; k < 9; ++k) along_u[k] += powers[i][a] * moments[9 * a + k];
+      for (std::size_t k = 0; k < 9; ++k) along_u[k] += of_u[i][a] * moments[9 * a + k];
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t b = 0; b < 3; ++b) along_v[j + 3 * c] += spline_powers[j][b] * along_u[b + 3 * c];
+        for (std::size_t b = 0; b < 3; ++b) along_v[j + 3 * c] += of_v[j][b] * along_u[b + 3 * c];
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t c = 0; c < 3; ++c) out[i + 3 * j + 9 * k] += spline_powers[k][c] * along_v[j + 3 * c];
+        for (std::size_t c = 0; c < 3; ++c) out[i + 3 * j + 9 * k] += of_w[k][c] * along_v[j + 3 * c];
   }
   return out;
 }
 
-/// Of int N dx from the lower side of a cell, z from -1/2 to 1/2.
-constexpr double integral_powers[3][4] = {
-    {7.0 / 48, 0.125, -0.25, 1.0 / 6}, {1.0 / 3, 0.75, 0, -1.0 / 3}, {1.0 / 48, 0.125, 0.25, 1.0 / 6}};
+/// Coefficients of 1, z, z^2, z^3 of int N dz from the lower side of a span, z from -1/2 to 1/2.
+std::array<std::array<double, 4>, 3> integral_powers(const SpanShape& span) {
+  const double below = span.below, above = span.above;
+  return {{{7 * below / 24, below / 4, -below / 2, below / 3},
+           {(12 - 7 * below - above) / 24, 1 - (below + above) / 4, (below - above) / 2, -(below + above) / 3},
+           {above / 24, above / 4, above / 2, above / 3}}};
+}
 
-void integrate_splines(const FlankSums& sums, Flank& flank) {
+void integrate_splines(const FlankSums& sums, const CellSpans<3>& span, double width, Flank& flank) {
+  const SplinePowers of_x = spline_powers(span[0]), of_y = spline_powers(span[1]), of_z = spline_powers(span[2]);
   flank.area = sums.area;
+  flank.faces = sums.faces;
   for (std::size_t d = 0; d < 3; ++d) {
     flank.normal[d] = sums.moments[d][0];
-    const auto of_component = of_nodes(sums.moments[d], spline_powers);
+    const auto of_component = of_nodes(sums.moments[d], of_x, of_y, of_z);
     for (std::size_t n = 0; n < 27; ++n) flank.spline[n][d] = of_component[n];
   }
-  flank.beside = of_nodes(sums.moments[0], integral_powers);
+  flank.beside = of_nodes(sums.moments[0], integral_powers(span[0]), of_y, of_z);
+  for (double& beside : flank.beside) beside *= width;
 }
 
 /// Parts the pieces of a cell, which stand from begin to end, by the way that they face: with the largest or against
@@ -167,7 +185,8 @@ std::uint32_t part_flanks(const std::vector<RawPiece>& pieces, std::uint32_t* be
 }
 
 /// The flanks of all cells, cell by cell, their pieces numbered as in `sorted`; fills shares and faces.
-std::vector<Flank> add_up(const std::vector<RawPiece>& pieces, Sorted& sorted, ClippedSurface& cells) {
+std::vector<Flank> add_up(const GridLayout<3>& layout, const std::vector<RawPiece>& pieces, Sorted& sorted,
+                          ClippedSurface& cells) {
   const auto count = static_cast<std::ptrdiff_t>(sorted.begin.size()) - 1;
   std::vector<std::array<Flank, 2>> pairs(count);
 #pragma omp parallel for schedule(static)
@@ -183,7 +202,8 @@ std::vector<Flank> add_up(const std::vector<RawPiece>& pieces, Sorted& sorted, C
       FlankSums sums;
       for (std::uint32_t p = ends[side]; p < ends[side + 1]; ++p) sums.add(pieces[sorted.order[p]]);
       if (flank.pieces == 0) continue;
-      integrate_splines(sums, flank);
+      integrate_splines(sums, spans_of(layout, flat_of(layout, cells, flank.cell)),
+                        1 / BoxCell(cells, flank.cell).per_width[0], flank);
       add_to_cell(sums, flank.cell, cells);
     }
   }
@@ -202,12 +222,12 @@ std::vector<std::uint32_t> find_hosts(const std::vector<Flank>& flanks, const Cl
   std::vector<std::uint32_t> host(flanks.size());
   for (std::uint32_t k = 0; k < flanks.size(); ++k) {
     host[k] = k;
-    if (flanks[k].area >= least_area) continue;
+    if (flanks[k].faces >= least_area) continue;
     double most = 0;
     for (int n = 0; n < 27; ++n) {  // the box has a cell to spare on all sides
       const int cell = flanks[k].cell + n % 3 - 1 + cells.count[0] * (n / 3 % 3 - 1 + cells.count[1] * (n / 9 - 1));
       for (std::uint32_t other = first[cell]; other < flanks.size() && flanks[other].cell == cell; ++other)
-        if (flanks[other].area >= least_area && dot(flanks[k].normal, flanks[other].normal) > most) {
+        if (flanks[other].faces >= least_area && dot(flanks[k].normal, flanks[other].normal) > most) {
           most = dot(flanks[k].normal, flanks[other].normal);
           host[k] = other;
         }
@@ -245,7 +265,7 @@ void clip_surface(const GridLayout<3>& layout, const Membrane<3>& membrane, Clip
   place_box(layout, membrane, cells);
   const std::vector<RawPiece> pieces = cut_triangles(layout, membrane, cells);
   Sorted sorted = sort_by_cell(pieces);
-  const std::vector<Flank> flanks = add_up(pieces, sorted, cells);
+  const std::vector<Flank> flanks = add_up(layout, pieces, sorted, cells);
   make_patches(pieces, sorted, flanks, cells);
   sum_beyond_faces(cells);
 }

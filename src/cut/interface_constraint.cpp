@@ -151,9 +151,13 @@ void find_knots(const State<2>&, const Grids<2>&, std::vector<ClothKnots>&, std:
 void find_knots(const State<3>& state, const Grids<3>& grids, std::vector<ClothKnots>& knots,
                 std::vector<Contact<3>>& contacts) {
   knots.resize(state.membranes.size());
+  const GridLayout<3>& layout = grids.front().layout;
+  double finest = layout.finest;  // along the axis whose cells are widest where they are finest
+  for (const KnotTable& axis : layout.knots)
+    if (!axis.empty()) finest = std::max(finest, axis.finest());
   for (Contact<3>& contact : contacts) {
     ClothKnots& of_cloth = knots[static_cast<std::size_t>(contact.membrane - state.membranes.data())];
-    if (of_cloth.count == 0) of_cloth = cloth_knots(*contact.membrane, between_knots * grids.front().layout.finest);
+    if (of_cloth.count == 0) of_cloth = cloth_knots(*contact.membrane, between_knots * finest);
     contact.knots = &of_cloth;
   }
 }

@@ -134,7 +134,7 @@ Facing<2> facing(const GridLayout<2>& layout, const Membrane<2>& membrane, const
 
 Facing<3> facing(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedSurface& cells,
                  const Stretch& stretch) {
-  Facing<3> out{Vec<3>::Zero(), Vec<3>::Zero(), layout.h};
+  Facing<3> out{Vec<3>::Zero(), Vec<3>::Zero(), std::numeric_limits<double>::infinity()};
   double area = 0;
   for_each_piece(cells, stretch, [&](const ClippedCells::Piece& piece) {
     const double size = size_of(membrane, piece.triangle);
@@ -144,9 +144,11 @@ Facing<3> facing(const GridLayout<3>& layout, const Membrane<3>& membrane, const
       area += part;
     }
   });
-  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k)
+  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
     for (int a = 0; a < 3; ++a)
       out.normal[a] += layout.h * layout.h * cells.flanks[k].normal[static_cast<std::size_t>(a)];
+    out.width = std::min(out.width, least_width(layout, flat_of(layout, cells, cells.flanks[k].cell)));
+  }
   if (area > 0) out.middle /= area;
   return out;
 }

@@ -53,8 +53,12 @@ std::optional<RightSide<3>> NearTriangles::on_side(const Vec<3>& x, bool inside)
   const bool cut = parts_[own][0].second > 0;
   if (!cut && (cells_.inside[own] > 0.5) == inside) return {};  // a whole cell of its side
   Nearest nearest;
-  std::array<double, 3> low;  // of x over the lower side of its cell [m]
-  for (int a = 0; a < 3; ++a) low[a] = x[a] - layout_.node(a, layout_.base(a, x[a])) + 0.5 * layout_.h;
+  std::array<double, 3> low, width;  // of x over the lower side of its cell, and of that [m]
+  for (int a = 0; a < 3; ++a) {
+    const int place = layout_.base(a, x[a]);
+    width[a] = layout_.span_width(a, place) * layout_.h;
+    low[a] = x[a] - layout_.node(a, place) + 0.5 * width[a];
+  }
   const std::array<int, 3> stride{1, cells_.count[0], cells_.count[0] * cells_.count[1]};
   const std::array<int, 3> at{own % stride[1], own / stride[1] % cells_.count[1], own / stride[2]};
   for (const int n :
@@ -64,7 +68,7 @@ std::optional<RightSide<3>> NearTriangles::on_side(const Vec<3>& x, bool inside)
     int cell = own;
     bool in_box = true;
     for (std::size_t a = 0; a < 3; ++a) {
-      const double gap = offset[a] < 0 ? low[a] : offset[a] > 0 ? layout_.h - low[a] : 0.0;
+      const double gap = offset[a] < 0 ? low[a] : offset[a] > 0 ? width[a] - low[a] : 0.0;
       square += gap * gap;
       cell += offset[a] * stride[a];
       in_box = in_box && at[a] + offset[a] >= 0 && at[a] + offset[a] < cells_.count[a];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cut/cells_around.hpp"
 #include "cut/clipped_cells.hpp"
 #include "membrane/triangles.hpp"
 #include "support/near.hpp"
@@ -13,68 +14,77 @@ using namespace geodrop;
 using namespace geodrop::test;
 
 TEST_CASE("Shares of cells add up to the volume inside; pieces to the triangles") {
-  const GridLayout<3> layout = small_grid(0.25);
-  for (const TriangleSurface& surface : surfaces()) {
-    const Membrane<3> membrane = membrane_of(surface);
-    ClippedCells cells;
-    clip_cells(layout, membrane, cells);
-    double sum = 0;
-    for (const double share : cells.inside) sum += share;
-    CHECK(sum * std::pow(layout.h, 3) == near(volume(surface), 1e-13));
-    Array<double> shares(surface.triangles.size(), 0.0);
-    for (const ClippedCells::Piece& piece : cells.pieces)
-      for (const double share : piece.share) {
-        shares[piece.triangle] += share;
-        CHECK(share > -1e-12);
+  for (const GridLayout<3>& layout : even_and_graded())
+    for (const TriangleSurface& surface : surfaces()) {
+      const Membrane<3> membrane = membrane_of(surface);
+      ClippedCells cells;
+      clip_cells(layout, membrane, cells);
+      double sum = 0;
+      for (std::size_t c = 0; c < cells.size(); ++c)
+        sum += cells.inside[c] * cell_size(layout, flat_of(layout, cells, static_cast<int>(c)));
+      CHECK(sum == near(volume(surface), 1e-13));
+      Array<double> shares(surface.triangles.size(), 0.0);
+      for (const ClippedCells::Piece& piece : cells.pieces)
+        for (const double share : piece.share) {
+          shares[piece.triangle] += share;
+          CHECK(share > -1e-12);
+        }
+      for (std::size_t t = 0; t < shares.size(); ++t)
+        if (normal_of(membrane, t).norm() > 0) CHECK(shares[t] == near(1.0, 1e-10));
+    }
+}
+
+namespace {
+
+/// Of the faces and pieces of a cell: sum n = 0, and sum x n = V (identity), by the divergence theorem.
+void check_closed(const GridLayout<3>& layout, const Membrane<3>& membrane) {
+  ClippedCells cells;
+  clip_cells(layout, membrane, cells);
+  const std::array<int, 3> stride{1, cells.count[0], cells.count[0] * cells.count[1]};
+  std::vector<Eigen::Matrix3d> moment(cells.size(), Eigen::Matrix3d::Zero());
+  std::vector<Vec<3>> normal(cells.size(), Vec<3>::Zero());
+  std::vector<bool> cut(cells.size(), false);
+  const auto middle = [&](int c) {
+    Vec<3> x;
+    for (int a = 0; a < 3; ++a)
+      x[a] = layout.node(a, cells.first[a] - GridLayout<3>::pad + c / stride[a] % cells.count[a]);
+    return x;
+  };
+  for (const ClippedCells::Piece& piece : cells.pieces) {
+    const Vec<3> area = 0.5 * normal_of(membrane, piece.triangle);
+    cut[piece.cell] = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec<3> x = vector_at(membrane.x, membrane.triangles.corner[k][piece.triangle]) - middle(piece.cell);
+      normal[piece.cell] += piece.share[k] * area;
+      moment[piece.cell] += piece.share[k] * x * area.transpose();
+    }
+  }
+  for (int c = 0; c < static_cast<int>(cells.size()); ++c) {
+    if (!cut[c]) continue;
+    const int flat = flat_of(layout, cells, c);
+    const CellSpans<3> spans = spans_of(layout, flat);
+    for (int a = 0; a < 3; ++a)
+      for (const double side : {0.5, -0.5}) {
+        const int u = (a + 1) % 3, w = (a + 2) % 3;
+        const ClippedCells::FaceMoments& m = cells.upper_face[a][side > 0 ? c : c - stride[a]];
+        const double area = (side > 0 ? 1 : -1) * spans[u].width * spans[w].width;
+        normal[c][a] += area * m[0];
+        moment[c](a, a) += area * side * spans[a].width * m[0];
+        moment[c](u, a) += area * spans[u].width * m[1];
+        moment[c](w, a) += area * spans[w].width * m[3];
       }
-    for (std::size_t t = 0; t < shares.size(); ++t)
-      if (normal_of(membrane, t).norm() > 0) CHECK(shares[t] == near(1.0, 1e-10));
+    CHECK(normal[c].norm() < 1e-13);
+    CHECK((moment[c] - cell_size(layout, flat) * cells.inside[c] * Eigen::Matrix3d::Identity()).norm() < 1e-13);
   }
 }
 
+}  // namespace
+
 TEST_CASE("What lies inside a cell is closed: faces and pieces have no resultant, and the moment of its volume") {
-  // Of the faces and pieces of a cell: sum n = 0, and sum x n = V (identity), by the divergence theorem. The shares
-  // come from one axis, the faces from three, and the pieces from the triangles: this ties them to each other.
-  const GridLayout<3> layout = small_grid(0.25);
-  for (const TriangleSurface& surface : surfaces()) {
-    const Membrane<3> membrane = membrane_of(surface);
-    ClippedCells cells;
-    clip_cells(layout, membrane, cells);
-    const std::array<int, 3> stride{1, cells.count[0], cells.count[0] * cells.count[1]};
-    std::vector<Eigen::Matrix3d> moment(cells.size(), Eigen::Matrix3d::Zero());
-    std::vector<Vec<3>> normal(cells.size(), Vec<3>::Zero());
-    std::vector<bool> cut(cells.size(), false);
-    const auto middle = [&](int c) {
-      Vec<3> x;
-      for (int a = 0; a < 3; ++a)
-        x[a] = layout.node(a, cells.first[a] - GridLayout<3>::pad + c / stride[a] % cells.count[a]);
-      return x;
-    };
-    for (const ClippedCells::Piece& piece : cells.pieces) {
-      const Vec<3> area = 0.5 * normal_of(membrane, piece.triangle);
-      cut[piece.cell] = true;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec<3> x = vector_at(membrane.x, membrane.triangles.corner[k][piece.triangle]) - middle(piece.cell);
-        normal[piece.cell] += piece.share[k] * area;
-        moment[piece.cell] += piece.share[k] * x * area.transpose();
-      }
-    }
-    const double h = layout.h;
-    for (int c = 0; c < static_cast<int>(cells.size()); ++c) {
-      if (!cut[c]) continue;
-      for (int a = 0; a < 3; ++a)
-        for (const double side : {0.5, -0.5}) {
-          const ClippedCells::FaceMoments& m = cells.upper_face[a][side > 0 ? c : c - stride[a]];
-          const double sense = side > 0 ? 1 : -1;
-          normal[c][a] += sense * h * h * m[0];
-          moment[c](a, a) += sense * h * h * h * side * m[0];
-          moment[c]((a + 1) % 3, a) += sense * h * h * h * m[1];
-          moment[c]((a + 2) % 3, a) += sense * h * h * h * m[3];
-        }
-      CHECK(normal[c].norm() < 1e-13);
-      CHECK((moment[c] - std::pow(h, 3) * cells.inside[c] * Eigen::Matrix3d::Identity()).norm() < 1e-13);
-    }
-  }
+  // The shares come from one axis, the faces from three, and the pieces from the triangles: this ties them to each
+  // other.
+  for (const GridLayout<3>& layout : even_and_graded())
+    for (const TriangleSurface& surface : surfaces()) check_closed(layout, membrane_of(surface));
 }
 
 TEST_CASE("A face inside as a whole has the moments of a square") {

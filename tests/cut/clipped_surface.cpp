@@ -29,49 +29,55 @@ ClippedSurface clipped(const GridLayout<3>& layout, const TriangleSurface& surfa
 }  // namespace
 
 TEST_CASE("Shares and faces are those of clipped cells") {
-  const GridLayout<3> layout = small_grid(0.25);
-  for (const TriangleSurface& surface : surfaces()) {
-    const ClippedSurface cells = clipped(layout, surface);
-    ClippedCells plain;
-    clip_cells(layout, membrane_of(surface), plain);
-    REQUIRE(cells.count == plain.count);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      CHECK(std::abs(cells.inside[c] - plain.inside[c]) < 1e-12);
-      for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t m = 0; m < 9; ++m)
-          CHECK(std::abs(cells.upper_face[a][c][m] - plain.upper_face[a][c][m]) < 1e-12);
+  for (const GridLayout<3>& layout : even_and_graded())
+    for (const TriangleSurface& surface : surfaces()) {
+      const ClippedSurface cells = clipped(layout, surface);
+      ClippedCells plain;
+      clip_cells(layout, membrane_of(surface), plain);
+      REQUIRE(cells.count == plain.count);
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        CHECK(std::abs(cells.inside[c] - plain.inside[c]) < 1e-12);
+        for (std::size_t a = 0; a < 3; ++a)
+          for (std::size_t m = 0; m < 9; ++m)
+            CHECK(std::abs(cells.upper_face[a][c][m] - plain.upper_face[a][c][m]) < 1e-12);
+      }
     }
-  }
 }
 
-TEST_CASE("Splines over faces and surface of a cell reproduce its volume: int x grad N and int N") {
+namespace {
+
+void check_volumes(const GridLayout<3>& layout, const TriangleSurface& surface) {
   // Quadratic splines carry linear functions exactly: sum x_i (int grad N_i)^T = V (identity), sum int N_i = V, and
   // sum x_i int N_i the first moment, here that of all cells together.
-  const GridLayout<3> layout = small_grid(0.25);
-  for (const TriangleSurface& surface : surfaces()) {
-    Grid<3> grid;
-    grid.layout = layout;
-    grid.outline = clipped(layout, surface);
-    std::vector<double> share(layout.nodes(), 0.0);
-    for (std::size_t c = 0; c < grid.outline.size(); ++c)
-      share[flat_of(layout, grid.outline, static_cast<int>(c))] = grid.outline.inside[c];
-    int cells = 0;
-    for (const CutCell<3>& cell : cut_cells_of(grid, membrane_of(surface))) {
-      Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-      double volume = 0;
-      for (int n = 0; n < 27; ++n) {
-        const std::array<int, 3> node = stored_cell(layout, node_around(layout, cell.flat, n));
-        for (int a = 0; a < 3; ++a)
-          for (int b = 0; b < 3; ++b) moment(a, b) += layout.node(a, node[a] - layout.pad) * cell.inside[n][b];
-        volume += cell.value[n];
-      }
-      const double exact = share[cell.flat] * std::pow(layout.h, 3);
-      CHECK((moment - exact * Eigen::Matrix3d::Identity()).norm() < 1e-13);
-      CHECK(std::abs(volume - exact) < 1e-14);
-      ++cells;
+  Grid<3> grid;
+  grid.layout = layout;
+  grid.outline = clipped(layout, surface);
+  std::vector<double> share(layout.nodes(), 0.0);
+  for (std::size_t c = 0; c < grid.outline.size(); ++c)
+    share[flat_of(layout, grid.outline, static_cast<int>(c))] = grid.outline.inside[c];
+  int cells = 0;
+  for (const CutCell<3>& cell : cut_cells_of(grid, membrane_of(surface))) {
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    double volume = 0;
+    for (int n = 0; n < 27; ++n) {
+      const std::array<int, 3> node = stored_cell(layout, node_around(layout, cell.flat, n));
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) moment(a, b) += layout.node(a, node[a] - layout.pad) * cell.inside[n][b];
+      volume += cell.value[n];
     }
-    CHECK(cells > 100);
+    const double exact = share[cell.flat] * cell_size(layout, cell.flat);
+    CHECK((moment - exact * Eigen::Matrix3d::Identity()).norm() < 1e-13);
+    CHECK(std::abs(volume - exact) < 1e-14);
+    ++cells;
   }
+  CHECK(cells > 100);
+}
+
+}  // namespace
+
+TEST_CASE("Splines over faces and surface of a cell reproduce its volume: int x grad N and int N") {
+  for (const GridLayout<3>& layout : even_and_graded())
+    for (const TriangleSurface& surface : surfaces()) check_volumes(layout, surface);
 }
 
 TEST_CASE("int N over the part of a cell below a plane, by hand") {
@@ -97,29 +103,29 @@ TEST_CASE("int N over the part of a cell below a plane, by hand") {
 }
 
 TEST_CASE("Patches: all of the surface, each flank once, none smaller than a quarter of a face unless alone") {
-  const GridLayout<3> layout = small_grid(0.25);
-  for (const TriangleSurface& surface : surfaces()) {
-    const ClippedSurface cells = clipped(layout, surface);
-    const Membrane<3> membrane = membrane_of(surface);
-    double area = 0, exact = 0;
-    std::uint32_t flanks = 0, pieces = 0;
-    for (const ClippedSurface::Patch& patch : cells.patches) {
-      CHECK(patch.first_flank == flanks);
-      flanks += patch.flanks;
-      area += patch.area;
-      if (patch.flanks > 1) CHECK(patch.area > 0.25);
-      for (std::uint32_t k = patch.first_flank + 1; k < flanks; ++k) CHECK(cells.flanks[k].area < 0.25);
+  for (const GridLayout<3>& layout : even_and_graded())
+    for (const TriangleSurface& surface : surfaces()) {
+      const ClippedSurface cells = clipped(layout, surface);
+      const Membrane<3> membrane = membrane_of(surface);
+      double area = 0, exact = 0;
+      std::uint32_t flanks = 0, pieces = 0;
+      for (const ClippedSurface::Patch& patch : cells.patches) {
+        CHECK(patch.first_flank == flanks);
+        flanks += patch.flanks;
+        area += patch.area;
+        if (patch.flanks > 1) CHECK(cells.flanks[patch.first_flank].faces > 0.25);
+        for (std::uint32_t k = patch.first_flank + 1; k < flanks; ++k) CHECK(cells.flanks[k].faces < 0.25);
+      }
+      for (const ClippedSurface::Flank& flank : cells.flanks) {
+        CHECK(flank.first_piece == pieces);
+        for (std::uint32_t p = 0; p < flank.pieces; ++p) CHECK(cells.pieces[pieces + p].cell == flank.cell);
+        pieces += flank.pieces;
+      }
+      for (std::size_t t = 0; t < membrane.triangles.size(); ++t) exact += 0.5 * normal_of(membrane, t).norm();
+      CHECK(flanks == cells.flanks.size());
+      CHECK(pieces == cells.pieces.size());
+      CHECK(area * layout.h * layout.h == near(exact, 1e-12));
     }
-    for (const ClippedSurface::Flank& flank : cells.flanks) {
-      CHECK(flank.first_piece == pieces);
-      for (std::uint32_t p = 0; p < flank.pieces; ++p) CHECK(cells.pieces[pieces + p].cell == flank.cell);
-      pieces += flank.pieces;
-    }
-    for (std::size_t t = 0; t < membrane.triangles.size(); ++t) exact += 0.5 * normal_of(membrane, t).norm();
-    CHECK(flanks == cells.flanks.size());
-    CHECK(pieces == cells.pieces.size());
-    CHECK(area * layout.h * layout.h == near(exact, 1e-12));
-  }
 }
 
 TEST_CASE("The two sides of a thin bag in one cell are two patches") {

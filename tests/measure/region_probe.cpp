@@ -28,11 +28,11 @@ TEST_CASE("A region has the volume, mean pressure, vertical stress, velocity and
     REQUIRE(at != names.end());
     return row[at - names.begin()];
   };
-  // 0.1 m x (0.5 m of pores with n = 0.4, 0.1 m of free water); the pores have 1 kPa, the free water none.
+  // 0.1 m x (0.5 m of pores with n = 0.4, 0.1 m of free water); the pores have 100 Pa, the free water none.
   const double volume = 0.1 * (0.5 * 0.4 + 0.1);
   CHECK(value("box.volume_m2") == near(volume, 1e-12));
-  CHECK(value("box.pressure_mean_Pa") == near(1000 * 2.0 / 3, 1e-9));
-  CHECK(value("box.vertical_stress_mean_Pa") == near(-1000 * 2.0 / 3, 1e-9));
+  CHECK(value("box.pressure_mean_Pa") == near(100 * 2.0 / 3, 1e-9));
+  CHECK(value("box.vertical_stress_mean_Pa") == near(-100 * 2.0 / 3, 1e-9));
   CHECK(value("box.velocity_mean_x_m_s") == near(0.2, 1e-12));
   CHECK(value("box.flow_x_m2_s") == near(volume * 0.2 / 0.1, 1e-12));
   CHECK(value("box.flow_y_m2_s") == near(-volume * 0.3 / 0.6, 1e-12));

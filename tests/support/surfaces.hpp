@@ -13,8 +13,9 @@
 
 namespace geodrop::test {
 
-inline GridLayout<3> small_grid(double h) {
+inline GridLayout<3> small_grid(double h, const std::vector<RefineSpec>& zones = {}) {
   GridSpec spec;
+  spec.refine = zones;
   spec.lower = {-2, -2, -2};
   spec.upper = {2, 2, 2};
   spec.spacing = h;
@@ -22,6 +23,13 @@ inline GridLayout<3> small_grid(double h) {
   WallsSpec walls;
   for (auto* side : {&walls.lower, &walls.upper}) side->assign(3, WallKind::slip);
   return {spec, walls};
+}
+
+/// Even cells, and cells of another width along each axis, finer in the middle, which grow by half from one to the
+/// next.
+inline std::vector<GridLayout<3>> even_and_graded() {
+  return {small_grid(0.25),
+          small_grid(0.4, {{0, -0.3, 0.2, 0.1, 1.5, {}}, {1, -0.5, 0.1, 0.15, 1.3, {}}, {2, 0.1, 0.4, 0.2, 1.2, {}}})};
 }
 
 inline Membrane<3> membrane_of(const TriangleSurface& surface) {

@@ -148,6 +148,8 @@ struct ClippedCells {
     std::array<double, 3> share;
   };
   std::array<int, 3> first{}, count{};           ///< lowest stored cell of the box, cells per axis
+  std::array<Array<double>, 3> plane;            ///< lower sides of its cells, and the upper one of the last [h]
+  bool even = true;                              ///< cells are cubes of h, planes 0, 1, 2, ...
   Array<double> inside;                          ///< share of a cell inside [-]
   std::array<Array<FaceMoments>, 3> upper_face;  ///< between a cell and the next one along each axis
   std::vector<Piece> pieces;                     ///< in the order of the triangles
@@ -171,6 +173,7 @@ struct ClippedSurface : ClippedCells {
     int cell;
     std::uint32_t first_piece, pieces;
     double area;
+    double faces;                                  ///< area as the cell sees it, its widths as unit [its faces]
     std::array<double, 3> normal;                  ///< int n dA, outwards
     std::array<std::array<double, 3>, 27> spline;  ///< int N n dA of the nodes around the cell, x fastest
     std::array<double, 27> beside;                 ///< int (int N dx from the cell's left face) n_x dA

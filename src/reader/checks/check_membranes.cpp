@@ -174,8 +174,6 @@ void check_interface(const Scene& scene, const MembraneSpec& membrane, const std
   const bool in_air = membrane.permittivity > 0 && std::none_of(scene.bodies.begin(), scene.bodies.end(), outside);
   if (scene.grid.basis != Basis::bspline2)
     refuse("on a grid whose cells are not knot spans", "sharp with basis = \"bspline2\"");
-  else if (scene.dimension == 3 && !scene.grid.refine.empty())
-    refuse("in space on graded axes", "sharp in space without refine");
   else if (scene.solver.transfer == Transfer::musl)
     refuse("with solver.transfer = \"musl\", which maps velocities back to the grid", "sharp with tpic or blend");
   else if (!membrane.closed)
