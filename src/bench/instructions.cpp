@@ -183,7 +183,7 @@ double instructions_in(const std::string& dump) {
   bool counts = false, any = false, of_call = false;
   double total = 0;
   while (std::getline(lines, line)) {
-    if (const std::size_t at = line.find("=("); at != std::string::npos && at <= 3) {  // fl=(158) a file, cfn=(3), ...
+    if (const std::size_t at = line.find("=("); at <= 3) {  // fl=(158) a file, cfn=(3), ...
       const std::string number = line.substr(at + 1, line.find(')') - at);
       const std::string key = line.substr(0, at);
       const bool names_file = key != "fn" && key != "cfn" && key != "ob" && key != "cob";
