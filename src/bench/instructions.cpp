@@ -179,16 +179,14 @@ void write_instructions(const std::filesystem::path& file, const std::vector<Ins
 double instructions_in(const std::string& dump) {
   std::istringstream lines(dump);
   std::string line;
-  std::set<std::string, std::less<>> allocator;  // numbers of files, as "(158)"
+  std::set<std::string> allocator;  // numbers of files, as "(158)"
   bool counts = false, any = false, of_call = false;
   double total = 0;
   while (std::getline(lines, line)) {
     if (const std::size_t at = line.find("=("); at <= 3) {  // fl=(158) a file, cfn=(3), ...
       const std::string number = line.substr(at + 1, line.find(')') - at);
-      const std::string key = line.substr(0, at);
-      const bool names_file = key != "fn" && key != "cfn" && key != "ob" && key != "cob";
-      if (names_file && line.ends_with("malloc.c")) allocator.insert(number);
-      if (key == "fl") counts = !allocator.contains(number);
+      if (line.ends_with("malloc.c")) allocator.insert(number);
+      if (line.starts_with("fl=")) counts = !allocator.contains(number);
     } else if (line.starts_with("calls=")) {
       of_call = true;  // what follows is told once more by the function that was called
     } else if (!line.empty() && (std::isdigit(line[0]) || line[0] == '+' || line[0] == '-' || line[0] == '*')) {

@@ -20,14 +20,15 @@ inline Vec<3> to_vector(const SpacePoint& x) { return {x[0], x[1], x[2]}; }
 
 /// Where a cell of a box is, and how large [h].
 struct BoxCell {
-  Vec<3> middle, per_width;  ///< 1 / width
-  Vec<3> per_face;           ///< 1 / area of the face across each axis
+  Vec<3> middle, width, per_width;  ///< per_width: 1 / width
+  Vec<3> per_face;                  ///< 1 / area of the face across each axis
 
   BoxCell(const ClippedCells& cells, const std::array<int, 3>& at) {
     for (std::size_t a = 0; a < 3; ++a) {
       const double lower = cells.plane[a][at[a]], upper = cells.plane[a][at[a] + 1];
       middle[a] = 0.5 * (lower + upper);
-      per_width[a] = 1 / (upper - lower);
+      width[a] = upper - lower;
+      per_width[a] = 1 / width[a];
     }
     for (int a = 0; a < 3; ++a) per_face[a] = per_width[(a + 1) % 3] * per_width[(a + 2) % 3];
   }

@@ -114,15 +114,10 @@ struct FlankSums {
   }
 };
 
-std::array<double, 3> face_shares(const ClippedCells& cells, int c) {
-  const Vec<3> per_face = BoxCell(cells, c).per_face;
-  return {per_face[0], per_face[1], per_face[2]};
-}
-
 /// What a flank projects to the faces of its cell, and its part of the cell; sum_beyond_faces does the rest.
-void add_to_cell(const FlankSums& sums, int c, ClippedCells& cells) {
+void add_to_cell(const FlankSums& sums, const BoxCell& cell, int c, ClippedCells& cells) {
   const auto& [x, y, z] = sums.moments;
-  const auto [across_x, across_y, across_z] = face_shares(cells, c);
+  const double across_x = cell.per_face[0], across_y = cell.per_face[1], across_z = cell.per_face[2];
   cells.inside[c] += across_x * (x[9] + 0.5 * x[0]);
   for (std::size_t b = 0; b < 3; ++b)
     for (std::size_t a = 0; a < 3; ++a) {
@@ -202,9 +197,9 @@ std::vector<Flank> add_up(const GridLayout<3>& layout, const std::vector<RawPiec
       FlankSums sums;
       for (std::uint32_t p = ends[side]; p < ends[side + 1]; ++p) sums.add(pieces[sorted.order[p]]);
       if (flank.pieces == 0) continue;
-      integrate_splines(sums, spans_of(layout, flat_of(layout, cells, flank.cell)),
-                        1 / BoxCell(cells, flank.cell).per_width[0], flank);
-      add_to_cell(sums, flank.cell, cells);
+      const BoxCell cell(cells, flank.cell);
+      integrate_splines(sums, spans_of(layout, flat_of(layout, cells, flank.cell)), cell.width[0], flank);
+      add_to_cell(sums, cell, flank.cell, cells);
     }
   }
   std::vector<Flank> flanks;

@@ -182,7 +182,7 @@ TEST_CASE("The power of the pressure on water and grains is that of the volumes 
 
 TEST_CASE("In the place of the soil only its pores have water, and none is lost") {
   Column run;
-  // 0.4 of 0.2 m x 1 m at 1 kPa (K = 1.6e8 Pa)
+  // 0.4 of 0.2 m x 1 m at 100 Pa (K = 1.6e8 Pa)
   const double filled = 0.4 * 0.2 * 1000 * (1 + 100 / 1.6e8);
   CHECK(total(run.body("pore_water").mass) == near(filled, 1e-12));
   const double mass = total(run.body("pore_water").mass), grains = total(run.body("soil").mass);
