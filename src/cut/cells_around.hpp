@@ -8,6 +8,7 @@
 #include <array>
 
 #include "grid/momentum.hpp"
+#include "grid/neighbourhood.hpp"
 
 namespace geodrop {
 
@@ -17,11 +18,36 @@ bool acts_sharply(const Membrane<Dim>& membrane) {
   return membrane.sharp && membrane.field != waiting;
 }
 
+/// The field of grains around sharp membranes, those of coupled soils whose pores the water of field 0 fills; -1: none.
+template <int Dim>
+int grains_around(const Grids<Dim>& grids) {
+  for (const Grid<Dim>& grid : grids)
+    if (grid.pore_water == 0) return grid.field;
+  return -1;
+}
+
+/// Whether a field is around sharp membranes.
+template <int Dim>
+bool is_around(const Grids<Dim>& grids, int field) {
+  return field == 0 || grids[field].pore_water == 0;
+}
+
 /// Whether particles of a body may be in cells that a sharp membrane cuts: of its content, of the water in the pores of
 /// that, of what is around.
 template <int Dim>
-bool is_beside(const Body<Dim>& body, const Membrane<Dim>& membrane, int pore_water) {
-  return body.field != waiting && (body.field == 0 || body.field == membrane.field || body.field == pore_water);
+bool is_beside(const Body<Dim>& body, const Membrane<Dim>& membrane, const Grids<Dim>& grids) {
+  return body.field != waiting && (is_around(grids, body.field) || body.field == membrane.field ||
+                                   body.field == grids[membrane.field].pore_water);
+}
+
+/// Whether a node of a field is beside cells of which a sharp membrane takes a part.
+template <int Dim>
+bool beside_cut(const Grid<Dim>& grid, int flat) {
+  bool cut = false;
+  if (!grid.taken.empty())
+    for_neighbourhood(grid.layout, flat,
+                      [&](int cell, const std::array<int, Dim>&) { cut = cut || grid.taken[cell] > 0; });
+  return cut;
 }
 
 /// The knot span of a cell along one axis.

@@ -3,23 +3,36 @@
 #include <algorithm>
 #include <utility>
 
+#include "cells_around.hpp"
+
 namespace geodrop {
 namespace {
 
-std::vector<NodeVector<2>> normals_of(const Grid<2>& grid, const Contact<2>& contact) {
-  return normals_over(grid.layout, *contact.membrane, grid.outline, contact.stretch);
-}
-std::vector<NodeVector<3>> normals_of(const Grid<3>& grid, const Contact<3>& contact) {
-  return normals_over(grid.layout, grid.outline, contact.stretch);
+/// n v_w + (1 - n) v_g around meet the membrane, with the grains of a coupled bed; n is 1 elsewhere.
+template <int Dim>
+RawRow<Dim> row_of_mixture(const Grids<Dim>& grids, int field, int grains,
+                           const std::vector<NodeVector<Dim>>& vectors) {
+  std::vector<NodeVector<Dim>> of_water = vectors, of_grains;
+  for (NodeVector<Dim>& vector : of_water) {
+    const double n = grids.front().pore_share[vector.node];
+    if (n == 1) continue;
+    of_grains.push_back(vector);
+    for (double& value : of_grains.back().value) value *= 1 - n;
+    for (double& value : vector.value) value *= n;
+  }
+  if (of_grains.empty()) return make_row(grids, field, 0, vectors);
+  return make_row<Dim>(grids, {{field, 1, vectors}, {0, -1, of_water}, {grains, -1, of_grains}});
 }
 
 template <int Dim>
-RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, const Contact<Dim>& contact) {
+RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, int grains, const Contact<Dim>& contact) {
   const int field = contact.membrane->field;
   const Grid<Dim>& grid = grids[field];
-  std::vector<NodeVector<Dim>> vectors = normals_of(grid, contact);
+  std::vector<NodeVector<Dim>> vectors = normals_of(grid.layout, grid.outline, contact);
   RowsOfContact<Dim> rows;
-  if (contact.stretch.wet) rows.normal = make_row(grids, field, 0, vectors);
+  if (contact.stretch.wet && grains < 0) rows.normal = make_row(grids, field, 0, vectors);
+  if (contact.stretch.wet && grains >= 0) rows.normal = row_of_mixture(grids, field, grains, vectors);
+  if (contact.on_grains) rows.grains = make_row(grids, field, grains, vectors);
   if (contact.membrane->pore_pressure.empty()) return rows;
   for (NodeVector<Dim>& vector : vectors)
     for (double& value : vector.value) value *= grids[grid.pore_water].pore_share[vector.node];
@@ -33,8 +46,9 @@ template <int Dim>
 std::vector<RowsOfContact<Dim>> rows_of(const Grids<Dim>& grids, const std::vector<Contact<Dim>>& contacts) {
   std::vector<RowsOfContact<Dim>> rows(contacts.size());
   const auto count = static_cast<std::ptrdiff_t>(contacts.size());
+  const int grains = grains_around(grids);
 #pragma omp parallel for schedule(dynamic, 4)
-  for (std::ptrdiff_t c = 0; c < count; ++c) rows[c] = rows_of(grids, contacts[c]);
+  for (std::ptrdiff_t c = 0; c < count; ++c) rows[c] = rows_of(grids, grains, contacts[c]);
   return rows;
 }
 
@@ -58,6 +72,7 @@ void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const 
     const Outline<Dim>& cells = grids[membrane.field].outline;
     const double of_row = traction[static_cast<Eigen::Index>(r)];
     if (says == Says::normal) contacts[c].pressure = of_row;
+    if (says == Says::grains) contacts[c].of_grains = of_row;
     for_each_share(cells, contacts[c].stretch, [&](std::size_t at, double share) {
       add_traction(contacts[c], cells, says, at, share * of_row);
       if (says != Says::through || contacts[c].on_bed) return;

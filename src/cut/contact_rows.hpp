@@ -14,7 +14,10 @@ namespace geodrop {
 /// What a contact says, as rows can take it. That along the membrane is the normal one, turned.
 template <int Dim>
 struct RowsOfContact {
-  RawRow<Dim> normal, through;
+  RawRow<Dim> normal, through, grains;
+
+  /// That which friction follows.
+  const RawRow<Dim>& rubbed(const Contact<Dim>& contact) const { return contact.on_grains ? grains : normal; }
 };
 
 /// Those of all contacts.

@@ -271,10 +271,11 @@ namespace {
 /// were full there.
 template <int Dim>
 void fill_with_grains(Grid<Dim>& water) {
+  const bool around = water.field == 0;
   for_each_active_real_row(water, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
       const double n = water.pore_share[flat];
-      if (!(n > 0 && n < 1)) continue;
+      if (!(n > 0 && n < 1) || (around && !beside_cut(water, flat))) continue;
       const double grains = spline_volume(water, flat) * (1 - n) / n;
       water.velocity[flat][3] += grains / node_measure<Dim>(water, node) - (1 - n);
     }
@@ -312,6 +313,7 @@ void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
   };
   for (Grid<Dim>& grid : grids)
     for (const PartCell<Dim>& part : grid.part_cells) fill(grid, part.flat, part.elsewhere);
+  if (Grid<Dim>& around = grids.front(); !around.pore_share.empty()) fill_with_grains(around);
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
     if (Grid<Dim>& pressed = pressed_field(membrane, grids); !pressed.pore_share.empty()) fill_with_grains(pressed);

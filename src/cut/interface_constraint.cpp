@@ -39,6 +39,19 @@ SparseRows flow_through(const ContactRows<Dim>& rows, const std::vector<Contact<
   return out;
 }
 
+/// What the rows of grains may close by, over the square of the step: their gaps.
+template <int Dim>
+Eigen::VectorXd room_to_close(const ContactRows<Dim>& rows, const std::vector<Contact<Dim>>& contacts, double dt,
+                              std::size_t others) {
+  Eigen::VectorXd room = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.list().size() + others));
+  for (std::size_t r = 0; r < rows.list().size(); ++r) {
+    const Contact<Dim>& contact = contacts[rows.list()[r].contact];
+    if (rows.list()[r].says == Says::grains)
+      room[static_cast<Eigen::Index>(r)] = contact.gap * contact.stretch.size / (dt * dt);
+  }
+  return room;
+}
+
 template <int Dim>
 std::vector<const Array<double>*> tractions_of(const Membrane<Dim>& membrane) {
   std::vector<const Array<double>*> out{&membrane.water_pressure, &membrane.water_shear, &membrane.pore_pressure};
@@ -86,7 +99,8 @@ std::pair<Eigen::VectorXd, std::vector<bool>> last_of(const ContactRows<Dim>& ro
     last[r] = last_traction(joint.contacts[c], grids[joint.contacts[c].membrane->field].outline, says);
   }
   std::vector<bool> only_pushes;
-  for (const auto& [c, says] : rows.list()) only_pushes.push_back(says == Says::normal && joint.contacts[c].on_bed);
+  for (const auto& [c, says] : rows.list())
+    only_pushes.push_back(says == Says::grains || (says == Says::normal && joint.contacts[c].on_bed));
   for (const AnchorRow<Dim>& row : joint.held) {
     last[std::ssize(only_pushes)] = row.last();
     only_pushes.push_back(row.anchor->line);
@@ -122,6 +136,7 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
     const bool holds = contact.joined || (!contact.stretch.wet && !contact.lets_air_in);
     const bool tight = holds && !contact.membrane->pore_pressure.empty() && rows.add(said[c].through, c, Says::through);
     contact.has_rows = contact.joined || tight;
+    contact.on_grains = contact.on_grains && contact.joined && rows.add(said[c].grains, c, Says::grains);
     if (!contact.joined || !contact.sticks()) continue;
     for (const Says says : tangents<Dim>()) rows.add(along(contact, says, said[c].normal), c, says);
   }
@@ -135,6 +150,7 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   const NodeRows<Dim> E = times(to_knots, rows.rows().matrix());
   const ByPlace<Dim> by_place(E);
   System system = system_of(E, by_place, drag, rows.rows().scaled_velocities() / dt);
+  system.rate -= to_knots * room_to_close(rows, contacts, dt, held.size());
   const SparseRows flow = flow_through(rows, contacts, dt, basis.rows());
   if (flow.nonZeros() > 0) system.S += SparseRows(to_knots * flow * basis);
   add_laws(held, dt, system.S, system.rate);

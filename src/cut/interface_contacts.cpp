@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/value_at.hpp"
+#include "bed_beside.hpp"
 #include "cells_around.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
@@ -32,54 +33,6 @@ double pressure_inside(const Membrane<2>& membrane, const CutCells& cells, const
     sum += length_of(membrane, piece) * ((1 - middle) * pressure[start] + middle * pressure[end]);
   });
   return stretch.size > 0 ? sum / stretch.size : 0;
-}
-
-/// Where the bed is around a membrane: volume of its particles in each cell of the box, and that times pore pressure.
-struct BedCells {
-  Array<double> volume, pore;
-};
-
-template <int Dim>
-BedCells bed_around(const State<Dim>& state, const GridLayout<Dim>& layout, const Membrane<Dim>& membrane,
-                    const Outline<Dim>& cells) {
-  BedCells out{Array<double>(cells.size(), 0.0), Array<double>(cells.size(), 0.0)};
-  const Body<Dim>& bed = find_named(state.bodies, membrane.bed);
-  const BoxOfCells<Dim> box(layout, cells);
-  for (std::size_t p = 0; p < bed.size(); ++p) {
-    if (!box.may_hold(bed.x, p)) continue;
-    const int cell = local_cell(layout, cells, vector_at(bed.x, p));
-    if (cell < 0) continue;
-    const double volume = bed.volume(p);
-    out.volume[cell] += volume;
-    if (!bed.pore_pressure.empty()) out.pore[cell] += volume * bed.pore_pressure[p];
-  }
-  return out;
-}
-
-/// f(local cell) for each piece of a stretch; in space for each flank.
-template <class F>
-void for_each_cell_of(const CutCells& cells, const Stretch& stretch, F&& f) {
-  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) { f(piece.cell); });
-}
-template <class F>
-void for_each_cell_of(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
-  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) f(cells.flanks[k].cell);
-}
-
-/// Whether a stretch lies on the bed: most of what is in the cells around it.
-template <int Dim>
-void look_for_bed(const Grid<Dim>& around, const Outline<Dim>& cells, const BedCells& bed, Contact<Dim>& contact) {
-  double soil = 0, pore = 0, all = 0;
-  for_each_cell_of(cells, contact.stretch, [&](int cell) {
-    for (int n = 0; n < nodes_around<Dim>; ++n) {
-      const int local = local_around(cells, cell, n);
-      soil += bed.volume[local];
-      pore += bed.pore[local];
-      all += around.cell_volume[flat_of(around.layout, cells, local)];
-    }
-  });
-  contact.on_bed = soil > 0.5 * all;
-  if (contact.on_bed) contact.pore_pressure = pore / soil;
 }
 
 /// Velocity of a field at a place by its nodes that have mass; empty where most of the splines are of others.
@@ -282,28 +235,38 @@ double permeance_of(const Membrane<Dim>& membrane, std::size_t segment) {
          value_at(membrane.strain[segment], membrane.permeance_strains, membrane.permeance_factors);
 }
 
+namespace {
+
+/// Adds to what acts across a membrane, that of the grains of a bed to the whole, too.
 template <int Dim>
-Array<double>& traction_of(Membrane<Dim>& membrane, Says says) {
-  return says == Says::through ? membrane.pore_pressure : membrane.water_pressure;
+void add_across(Says says, std::size_t part, double traction, Membrane<Dim>& membrane) {
+  (says == Says::through ? membrane.pore_pressure : membrane.water_pressure)[part] += traction;
+  if (says == Says::grains) membrane.bed_pressure[part] += traction;
 }
+
+/// The last traction of a row across a membrane.
+template <int Dim>
+double traction_across(Says says, std::size_t part, const Membrane<Dim>& membrane) {
+  if (says == Says::through) return membrane.pore_pressure[part];
+  const double of_grains = membrane.bed_pressure.empty() ? 0.0 : membrane.bed_pressure[part];
+  return says == Says::grains ? of_grains : membrane.water_pressure[part] - of_grains;
+}
+
+bool is_along(Says says) { return says == Says::tangent || says == Says::second_tangent; }
+
+}  // namespace
 
 /// -p t acts on the membrane, t with the nodes if they run anticlockwise.
 void add_traction(const Contact<2>& contact, const CutCells& cells, Says says, std::size_t segment, double traction) {
   Membrane<2>& membrane = *contact.membrane;
-  if (says != Says::tangent) {
-    traction_of(membrane, says)[segment] += traction;
-    return;
-  }
+  if (!is_along(says)) return add_across(says, segment, traction, membrane);
   membrane.water_shear[segment] += -cells.sense * traction;
-  if (contact.on_bed) membrane.bed_shear[segment] += -cells.sense * traction;
+  if (contact.lies()) membrane.bed_shear[segment] += -cells.sense * traction;
 }
 
 void add_traction(const Contact<3>& contact, const ClippedSurface&, Says says, std::size_t triangle, double traction) {
   Membrane<3>& membrane = *contact.membrane;
-  if (says == Says::normal || says == Says::through) {
-    traction_of(membrane, says)[triangle] += traction;
-    return;
-  }
+  if (!is_along(says)) return add_across(says, triangle, traction, membrane);
   const std::array<double, 3>& along = contact.axes[says == Says::tangent ? 1 : 2];
   for (std::size_t a = 0; a < 3; ++a) membrane.triangles.water_shear[a][triangle] -= traction * along[a];
 }
@@ -311,11 +274,11 @@ void add_traction(const Contact<3>& contact, const ClippedSurface&, Says says, s
 namespace {
 
 double traction_at(const Contact<2>& contact, const CutCells& cells, Says says, std::size_t segment) {
-  return says == Says::tangent ? -cells.sense * contact.membrane->water_shear[segment]
-                               : traction_of(*contact.membrane, says)[segment];
+  return is_along(says) ? -cells.sense * contact.membrane->water_shear[segment]
+                        : traction_across(says, segment, *contact.membrane);
 }
 double traction_at(const Contact<3>& contact, const ClippedSurface&, Says says, std::size_t triangle) {
-  if (says == Says::normal || says == Says::through) return traction_of(*contact.membrane, says)[triangle];
+  if (!is_along(says)) return traction_across(says, triangle, *contact.membrane);
   const Vec<3> along(contact.axes[says == Says::tangent ? 1 : 2].data());
   return -vector_at(contact.membrane->triangles.water_shear, triangle).dot(along);
 }
@@ -334,7 +297,7 @@ double last_traction(const Contact<Dim>& contact, const Outline<Dim>& cells, Say
 template <int Dim>
 void forget_tractions(Membrane<Dim>& membrane) {
   for (Array<double>* traction : {&membrane.water_pressure, &membrane.water_shear, &membrane.bed_shear,
-                                  &membrane.pore_pressure, &membrane.seepage})
+                                  &membrane.bed_pressure, &membrane.pore_pressure, &membrane.seepage})
     std::fill(traction->begin(), traction->end(), 0.0);
   if constexpr (Dim == 3)
     for (Array<double>& component : membrane.triangles.water_shear) std::fill(component.begin(), component.end(), 0.0);
@@ -349,7 +312,7 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
     const Outline<Dim>& cells = grids[membrane.field].outline;
     const std::size_t first = contacts.size();
     for (const Stretch& stretch : stretches_of(around, membrane, cells)) contacts.push_back({&membrane, stretch});
-    const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around.layout, membrane, cells);
+    const BedCells bed = membrane.bed.empty() ? BedCells{} : bed_around(state, around, membrane, cells);
     const std::vector<bool> touches = membrane.permeance > 0 ? nodes_on_rigid(state, membrane) : std::vector<bool>();
     for (std::size_t c = first; c < contacts.size(); ++c)
       if (contacts[c].stretch.wet)
@@ -362,7 +325,6 @@ std::vector<Contact<Dim>> find_contacts(State<Dim>& state, const Grids<Dim>& gri
 
 #define GEODROP_INSTANTIATE(D)                                                  \
   template double permeance_of(const Membrane<D>&, std::size_t);                \
-  template Array<double>& traction_of(Membrane<D>&, Says);                      \
   template double last_traction<D>(const Contact<D>&, const Outline<D>&, Says); \
   template void forget_tractions(Membrane<D>&);
 GEODROP_INSTANTIATE(2)

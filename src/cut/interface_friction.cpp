@@ -65,7 +65,7 @@ void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Con
   ContactRows<Dim> rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts[c].joined && contacts[c].rubs())
-      for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].normal), c, says);
+      for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].rubbed(contacts[c])), c, says);
   if (rows.list().empty()) return;
   const Drag drag = rows.rows().drag(dt);
   const NodeRows<Dim> T = rows.rows().matrix();

@@ -143,21 +143,25 @@ class RowInField {
 }  // namespace
 
 template <int Dim>
-RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors) {
-  RowInField<Dim> one(grids[field], 1, vectors), rest(grids[other], -1, vectors);
+RawRow<Dim> make_row(const Grids<Dim>& grids, std::initializer_list<TermOfRow<Dim>> terms) {
   RawRow<Dim> row;
-  row.complete = one.add(vectors) && rest.add(vectors);
-  row.entries.reserve(one.entries().size() + rest.entries().size());
-  row.entries = one.entries();
-  row.entries.insert(row.entries.end(), rest.entries().begin(), rest.entries().end());
+  for (const auto& [field, sign, vectors] : terms) {
+    RowInField<Dim> part(grids[field], sign, vectors);
+    row.complete = part.add(vectors);
+    if (!row.complete) break;
+    row.entries.insert(row.entries.end(), part.entries().begin(), part.entries().end());
+  }
   return row;
 }
 
 template <int Dim>
+RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors) {
+  return make_row<Dim>(grids, {{field, 1, vectors}, {other, -1, vectors}});
+}
+
+template <int Dim>
 RawRow<Dim> make_row(const Grids<Dim>& grids, int field, const std::vector<NodeVector<Dim>>& vectors) {
-  RowInField<Dim> one(grids[field], 1, vectors);
-  const bool complete = one.add(vectors);
-  return {one.entries(), complete};
+  return make_row<Dim>(grids, {{field, 1, vectors}});
 }
 
 RawRow<2> along(RawRow<2> normal) {
@@ -250,6 +254,8 @@ void apply_pressures(const Rows<Dim>& rows, const ByPlace<Dim>& E, const Eigen::
 
 template class Places<2>;
 template class Places<3>;
+template RawRow<2> make_row(const Grids<2>&, std::initializer_list<TermOfRow<2>>);
+template RawRow<3> make_row(const Grids<3>&, std::initializer_list<TermOfRow<3>>);
 template RawRow<2> make_row(const Grids<2>&, int, int, const std::vector<NodeVector<2>>&);
 template RawRow<3> make_row(const Grids<3>&, int, int, const std::vector<NodeVector<3>>&);
 template RawRow<2> make_row(const Grids<2>&, int, const std::vector<NodeVector<2>>&);

@@ -5,6 +5,7 @@
 #include <geodrop/state/state.hpp>
 
 #include <array>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,19 @@ struct RawRow {
   bool complete = false;  ///< its fields have mass there
 };
 
-/// A row that adds up the vectors of one field's nodes and takes off the other's, each as the nodes can take it.
+/// What a row says of one field.
+template <int Dim>
+struct TermOfRow {
+  int field;
+  double sign;
+  const std::vector<NodeVector<Dim>>& vectors;
+};
+
+/// A row that adds up, or takes off, the vectors of the nodes of fields, each as the nodes can take it.
+template <int Dim>
+RawRow<Dim> make_row(const Grids<Dim>& grids, std::initializer_list<TermOfRow<Dim>> terms);
+
+/// Of one field, less another.
 template <int Dim>
 RawRow<Dim> make_row(const Grids<Dim>& grids, int field, int other, const std::vector<NodeVector<Dim>>& vectors);
 

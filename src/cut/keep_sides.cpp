@@ -202,12 +202,13 @@ struct Keeper {
         box(all.front().layout, field.outline) {}
 
   /// Of what is on one side of the membrane, whatever its side: its content, the water in its pores, what is around.
-  bool keeps(const Body<Dim>& body) const { return is_beside(body, membrane, field.pore_water); }
+  bool keeps(const Body<Dim>& body) const { return is_beside(body, membrane, grids); }
   /// Where a particle of a body goes that is on the wrong side; none is in cells that its body has for itself.
   std::optional<RightSide<Dim>> moves(const Body<Dim>& body, std::size_t p) const {
-    const Grid<Dim>& own = grids[body.field];
+    const bool around = is_around(grids, body.field);
+    const Grid<Dim>& own = around ? grids.front() : grids[body.field];
     if (!box.may_hold(body.x, p) || own.taken[cell_at(own.layout, body.x, p)] <= 0) return {};
-    return surface.on_side(vector_at(body.x, p), body.field != 0);
+    return surface.on_side(vector_at(body.x, p), !around);
   }
 
   const Grids<Dim>& grids;

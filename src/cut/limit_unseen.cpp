@@ -19,8 +19,7 @@ std::vector<BoxOfCells<Dim>> boxes_of(const State<Dim>& state, const Grids<Dim>&
   std::vector<BoxOfCells<Dim>> boxes;
   for (const Membrane<Dim>& membrane : state.membranes) {
     if (!acts_sharply(membrane)) continue;
-    const Grid<Dim>& inside = grids[membrane.field];
-    if (is_beside(body, membrane, inside.pore_water)) boxes.emplace_back(grids.front().layout, inside.outline);
+    if (is_beside(body, membrane, grids)) boxes.emplace_back(grids.front().layout, grids[membrane.field].outline);
   }
   return boxes;
 }

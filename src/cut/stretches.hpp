@@ -56,6 +56,16 @@ void for_each_share(const Cells& cells, const Stretch& stretch, F&& f) {
   });
 }
 
+/// f(local cell) for each piece of a stretch; in space for each flank.
+template <class F>
+void for_each_cell_of(const CutCells& cells, const Stretch& stretch, F&& f) {
+  for_each_piece(cells, stretch, [&](const CutCells::Piece& piece) { f(piece.cell); });
+}
+template <class F>
+void for_each_cell_of(const ClippedSurface& cells, const Stretch& stretch, F&& f) {
+  for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) f(cells.flanks[k].cell);
+}
+
 /// Length of a piece [m].
 double length_of(const Membrane<2>& membrane, const CutCells::Piece& piece);
 

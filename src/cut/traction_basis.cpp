@@ -222,7 +222,7 @@ SparseRows basis_of(const std::vector<Contact<Dim>>& contacts, const Grids<Dim>&
                     const std::vector<RowOfContact>& rows, std::size_t others) {
   const std::vector<KnotShares> shares = shares_of(contacts, grids);
   std::vector<Eigen::Triplet<double>> entries;
-  std::vector<int> across, through;  // columns of knots
+  std::vector<int> across, through, grains;  // columns of knots
   int row = 0, columns = 0;
   const auto column_of = [&](int knot, std::vector<int>& of_knots) {
     if (static_cast<std::size_t>(knot) >= of_knots.size()) of_knots.resize(static_cast<std::size_t>(knot) + 1, -1);
@@ -231,9 +231,12 @@ SparseRows basis_of(const std::vector<Contact<Dim>>& contacts, const Grids<Dim>&
     return column;
   };
   for (const auto& [contact, says] : rows) {
-    if (says == Says::normal || says == Says::through)
-      for (const auto& [knot, value] : shares[contact])
-        entries.emplace_back(row, column_of(knot, says == Says::normal ? across : through), value);
+    std::vector<int>* const of_knots = says == Says::normal    ? &across
+                                       : says == Says::through ? &through
+                                       : says == Says::grains  ? &grains
+                                                               : nullptr;
+    if (of_knots)
+      for (const auto& [knot, value] : shares[contact]) entries.emplace_back(row, column_of(knot, *of_knots), value);
     else
       entries.emplace_back(row, columns++, 1);
     ++row;

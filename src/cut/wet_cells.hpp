@@ -32,7 +32,7 @@ RoomAround room_around(const Grid<Dim>& around, int flat) {
     if (!in_domain(around.layout, other)) continue;
     out.whole += size_in_domain(around.layout, other);
     out.room += (1 - taken_of(around, other)) * size_in_domain(around.layout, other);
-    out.filled += around.cell_volume[other];
+    out.filled += around.cell_volume[other] + (around.occupied.empty() ? 0.0 : around.occupied[other]);
   }
   return out;
 }

@@ -124,6 +124,16 @@ std::string shift_doubt(const Scene& scene, const BodySpec& body) {
          finer_cells(scene, axis, (box.upper[axis] - box.lower[axis]) / least_cells);
 }
 
+/// Nothing but a bed's grains, which have a velocity of their own, bear a membrane.
+std::string bed_doubt(const Scene& scene, const MembraneSpec& membrane) {
+  if (membrane.interface != Interface::sharp || lies_on_grains(scene, membrane)) return {};
+  for (const BodySpec& body : scene.bodies)
+    if (!body.saturated_by.empty() && !in_sharp_membrane(scene, body.name))
+      return "membranes." + membrane.name + ".bed does not name \"" + body.name +
+             "\", a coupled soil around: its grains would not bear the membrane, only the water between them";
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> doubtful_water(const Scene& scene) {
@@ -132,6 +142,7 @@ std::vector<std::string> doubtful_water(const Scene& scene) {
     found.push_back(surface_doubt(scene, body));
     found.push_back(wave_speed_doubt(scene, body));
   }
+  for (const MembraneSpec& membrane : scene.membranes) found.push_back(bed_doubt(scene, membrane));
   std::erase(found, "");
   return found;
 }

@@ -103,8 +103,8 @@ void add_membrane(Data item, const Membrane<Dim>& membrane, Hasher& hash) {
       return hash.add(membrane.load, membrane.caught);
     case Data::water_traction:
       if constexpr (Dim == 3) hash.add(membrane.triangles.water_shear);
-      return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear, membrane.pore_pressure,
-                      membrane.seepage);
+      return hash.add(membrane.water_pressure, membrane.water_shear, membrane.bed_shear, membrane.bed_pressure,
+                      membrane.pore_pressure, membrane.seepage);
     default:
       return;
   }

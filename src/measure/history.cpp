@@ -108,6 +108,14 @@ void list_across(HistoryRow& row, const Scene& scene, const State<Dim>* state) {
   }
 }
 
+/// Of membranes on coupled beds.
+template <int Dim>
+void list_bed(HistoryRow& row, const Scene& scene, const MembraneSpec& spec, const State<Dim>* state) {
+  if (!lies_on_grains(scene, spec)) return;
+  const auto force = state ? bed_force<Dim>(find_named(state->membranes, spec.name)) : std::array<double, Dim>{};
+  row.add_vector(spec.name + ".bed_force", Dim == 2 ? "N_m" : "N", force, Dim);
+}
+
 /// Of membranes that let water through.
 template <int Dim>
 void list_seepage(HistoryRow& row, const Scene& scene, const MembraneSpec& spec, const State<Dim>* state) {
@@ -128,6 +136,7 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<2>* state) {
     const WaterForce force = state ? water_force(state->membranes[m]) : WaterForce{};
     row.add_vector(name + ".pressure_force", "N_m", force.pressure, 2);
     row.add_vector(name + ".friction_force", "N_m", force.friction, 2);
+    list_bed(row, scene, scene.membranes[m], state);
     list_seepage(row, scene, scene.membranes[m], state);
     row.add(name + ".strays_m2",
             state ? strays_inside(*state, state->membranes[m], pore_water, skin * scene.grid.spacing) : 0);
@@ -140,6 +149,7 @@ void list_sharp(HistoryRow& row, const Scene& scene, const State<3>* state) {
     const WaterForceInSpace force = state ? water_force(state->membranes[m]) : WaterForceInSpace{};
     row.add_vector(name + ".pressure_force", "N", force.pressure, 3);
     if (rubs_sharply(scene.membranes[m])) row.add_vector(name + ".friction_force", "N", force.friction, 3);
+    list_bed(row, scene, scene.membranes[m], state);
     list_seepage(row, scene, scene.membranes[m], state);
   }
 }

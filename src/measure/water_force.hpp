@@ -21,6 +21,10 @@ struct WaterForceInSpace {
 };
 WaterForceInSpace water_force(const Membrane<3>& membrane);
 
+/// Sum of the pressures of the grains of a coupled bed on a membrane, in the step before [N/m, N].
+template <int Dim>
+std::array<double, Dim> bed_force(const Membrane<Dim>& membrane);
+
 /// What flows out of the pores inside through a membrane, in the step before [m2/s, m3/s].
 template <int Dim>
 double seepage(const Membrane<Dim>& membrane);

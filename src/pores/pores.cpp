@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/side_by_side.hpp"
+#include "cut/cells_around.hpp"
 #include "cut/interface_cells.hpp"
 #include "grid/blocks.hpp"
 #include "grid/cell_pressure.hpp"
@@ -70,28 +71,45 @@ double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, cons
   return sum;
 }
 
-/// Share of the room at a node of the water that grains have. In a bag the room is what both have: particles on one
-/// side of an outline fill the splines of the nodes around in part only.
+/// Whether a node is beside cells of which a sharp membrane takes a part: particles on one side of an outline fill the
+/// splines of the nodes around in part only.
 template <int Dim>
-double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, bool bagged, int flat,
+bool beside_membrane(const Grid<Dim>& grid, const Grid<Dim>& around, int flat) {
+  return grid.outline.size() > 0 || beside_cut(around, flat);  // all nodes of the content of a bag
+}
+
+/// Share of the room at a node of the water that grains have; beside a membrane the room is what both have.
+template <int Dim>
+double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, int flat,
                  const std::array<int, Dim>& node) {
-  if (!bagged) return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+  if (!beside_membrane(grid, around, flat))
+    return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
   const double grains = grid.sum[flat][3] / grain_density, water = spline_volume(around, flat);
   return grains > 0 ? grains / (grains + water) : 0.0;
 }
 
+/// What of the drag acts at a node between a bag and a bed of the porosity `of_bed`, where n of the room is water: none
+/// where a tenth of that water or more is outside the pores. A node has one velocity of water. Dragged with the soil
+/// below, a film thinner than a cell never left: the bag hovered over the bed by 0.8 h.
+double drag_under_bag(double n, double of_bed) {
+  constexpr double least_free = 0.1;
+  const double in_pores = of_bed / (1 - of_bed) * (1 - n) / n;  // share of the water
+  return std::clamp((in_pores - (1 - least_free)) / least_free, 0.0, 1.0);
+}
+
 /// Porosity, resistance and lightness of grains at the nodes of the water.
 template <int Dim>
-void weigh_nodes(const Grid<Dim>& grid, double grain_density, Grid<Dim>& around) {
-  const bool bagged = grid.outline.size() > 0;
+void weigh_nodes(const Grid<Dim>& grid, double grain_density, double porosity, Grid<Dim>& around) {
+  const bool bed = grid.outline.size() == 0;
   for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
-      const double grains = grains_at<Dim>(grid, around, grain_density, bagged, flat, node);
+      const double grains = grains_at<Dim>(grid, around, grain_density, flat, node);
       const double n = std::max(0.0, 1 - grains);
       around.pore_share[flat] = n;
       // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
       // water leaves as if the soil ended half a cell lower.
       around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(around, grid.drag_resistance, flat, node) : 0.0;
+      if (bed && grains > 0 && beside_cut(around, flat)) around.node_drag[flat] *= drag_under_bag(n, porosity);
       const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
       around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
     }
@@ -178,11 +196,10 @@ void push_beside_membrane(Grid<Dim>& grid, Grid<Dim>& around) {
 /// membrane, a fifth of what seeped through it was lost.
 template <int Dim>
 void mix_velocities(const Grid<Dim>& grid, Grid<Dim>& around) {
-  const bool bagged = grid.outline.size() > 0;
   for_each_active_row(around, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
       const double n = around.sum[flat][3] > 0 ? around.pore_share[flat] : 1.0;
-      if (bagged && (around.sum[flat][3] > 0 || grid.sum[flat][3] > 0))
+      if ((around.sum[flat][3] > 0 || grid.sum[flat][3] > 0) && beside_membrane(grid, around, flat))
         around.mixture_velocity[flat] = around.pore_share[flat] * carried_velocity<Dim>(around, flat, node) +
                                         (1 - around.pore_share[flat]) * carried_velocity<Dim>(grid, flat, node);
       else
@@ -281,7 +298,7 @@ template <int Dim>
 void share_pore_pressure(const std::vector<PoreSoil>& soils, double dt, Grids<Dim>& grids) {
   for_each_pair(soils, [&](const PoreSoil& soil) {
     Grid<Dim>&grid = grids[soil.field], &around = grids[soil.water];
-    weigh_nodes(grid, soil.grain_density, around);
+    weigh_nodes(grid, soil.grain_density, soil.porosity, around);
     if (!around.node_inertial_drag.empty()) weigh_inertial_drag(grid, around);
     if (around.largest_modulus > 0) {
       soften_light_parts(around, dt);

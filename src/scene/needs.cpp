@@ -174,6 +174,11 @@ bool rubs_sharply(const MembraneSpec& membrane) {
   return membrane.interface == Interface::sharp && (membrane.shear != Shear::none || !membrane.bed.empty());
 }
 
+bool lies_on_grains(const Scene& scene, const MembraneSpec& membrane) {
+  const BodySpec* bed = find_body(scene, membrane.bed);
+  return membrane.interface == Interface::sharp && bed && !bed->saturated_by.empty();
+}
+
 const NewtonianSpec* fluid_of(const Scene& scene, const BodySpec& body) {
   const MaterialSpec* material = find_material(scene, body.material);
   return material ? std::get_if<NewtonianSpec>(&material->model) : nullptr;

@@ -67,6 +67,9 @@ bool any_membrane_slides(const Scene& scene);
 /// There is a skin with a sharp interface.
 bool any_sharp_skin(const Scene& scene);
 
+/// A sharp membrane lies on a bed of coupled soil.
+bool lies_on_grains(const Scene& scene, const MembraneSpec& membrane);
+
 /// Friction of what is around acts on a sharp membrane.
 bool rubs_sharply(const MembraneSpec& membrane);
 

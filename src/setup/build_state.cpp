@@ -144,6 +144,7 @@ void set_surroundings(const Scene& scene, const MembraneSpec& spec, std::size_t 
   membrane.roughness = spec.roughness;
   if (const NewtonianSpec* fluid = fluid_around(scene)) membrane.fluid_density = fluid->density;
   membrane.water_pressure.assign(parts, 0.0);
+  if (lies_on_grains(scene, spec)) membrane.bed_pressure.assign(parts, 0.0);
   set_pore_water(scene, spec, parts, membrane);
   for (auto& component : membrane.caught) component.assign(membrane.nodes(), 0.0);
   if constexpr (Dim == 3)

@@ -101,12 +101,12 @@ auto members(Part& part) {
     auto& [name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length, half_size, x,
            v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed, bed_friction, shear,
            wall_friction, roughness, drag_coefficient, fluid_density, caught, water_pressure, water_shear, bed_shear,
-           permeance, permeance_strains, permeance_factors, pore_pressure, seepage, triangles] = part;
+           bed_pressure, permeance, permeance_strains, permeance_factors, pore_pressure, seepage, triangles] = part;
     return std::tie(name, body, field, closed, sharp, axial_stiffness, strength, contents_friction, gauge_length,
                     half_size, x, v, mass, rest_length, strain, tension, gauge, load, share, contents_pressure, bed,
                     bed_friction, shear, wall_friction, roughness, drag_coefficient, fluid_density, caught,
-                    water_pressure, water_shear, bed_shear, permeance, permeance_strains, permeance_factors,
-                    pore_pressure, seepage, triangles);
+                    water_pressure, water_shear, bed_shear, bed_pressure, permeance, permeance_strains,
+                    permeance_factors, pore_pressure, seepage, triangles);
   } else if constexpr (is_membrane_triangles<Plain>) {
     return triangle_members(part);
   } else if constexpr (is_tension_gauge<Plain>) {

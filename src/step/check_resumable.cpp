@@ -176,7 +176,7 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
       "other settings");
   part.require(alike(membrane, built, &M::x, &M::v, &M::mass, &M::rest_length, &M::strain, &M::tension, &M::load,
                      &M::caught, &M::share, &M::contents_pressure, &M::water_pressure, &M::water_shear, &M::bed_shear,
-                     &M::pore_pressure, &M::seepage) &&
+                     &M::bed_pressure, &M::pore_pressure, &M::seepage) &&
                    membrane.gauge.sums.size() == built.gauge.sums.size(),
                "another number of nodes or of their quantities");
   if constexpr (Dim == 3) {

@@ -57,6 +57,38 @@ SharpBox on_bed(double approach, double friction, double pore_pressure) {
   return box;
 }
 
+/// As on_bed, on a coupled bed: water in its pores around (field 0), n the share of it at the nodes, grains that have a
+/// velocity of their own (field 2). Without gap n is 0.4.
+SharpBox on_grains(double approach, double friction, double n = 0.4) {
+  constexpr double grains_of_bed = 0.6, grain_density = 2.65;  // of that of water: pressure alone moves them less
+  SharpBox box = tall();
+  box.skin().bed = "bed";
+  box.skin().bed_friction = friction;
+  box.skin().bed_shear.assign(box.skin().segments(), 0.0);
+  box.skin().bed_pressure.assign(box.skin().segments(), 0.0);
+  Grid<2>& around = box.around();
+  const std::size_t nodes = around.sum.size();
+  Grid<2> grains = around;
+  grains.field = 2;
+  grains.pore_water = 0;
+  grains.part_cells.clear();
+  box.set_mass(around, n * node_mass);
+  box.set_mass(grains, (1 - n) * grain_density * node_mass);
+  around.pore_share.assign(nodes, n);
+  around.node_drag.assign(nodes, 0.0);
+  around.occupied.assign(nodes, grains_of_bed);
+  for (Vec4& sum : around.sum) sum[2] = n;  // volume
+  Body<2> bed = lattice_body<2>(around.layout, LinearElastic{box_density, 2e6, 1e6}, 2);
+  bed.name = "bed";
+  bed.field = 2;
+  std::fill(bed.mass.begin(), bed.mass.end(), 0.25 * box_density);
+  box.state.bodies.push_back(bed);
+  box.grids.push_back(grains);
+  move_left_side(box.inside(), -approach, speed);
+  join(box.state, box.grids, dt);
+  return box;
+}
+
 /// Traction on the membrane along y of the stretch at a height of the left side [Pa].
 double shear_upwards(const SharpBox& box, double y, Sense sense = Sense::anticlockwise) {
   const double down = sense == Sense::anticlockwise ? -1 : 1;  // the way that nodes run on the left
@@ -151,6 +183,39 @@ TEST_CASE("A bed pushes but does not pull; a fluid pulls as much as it pushes") 
   const std::size_t middle = in_water.segment_at(3.25, 6);
   CHECK(in_water.skin().water_pressure[middle] < -2e4);
   CHECK(in_water.skin().water_pressure[middle] == near(-towards.skin().water_pressure[middle], 1e-6));
+}
+
+TEST_CASE("Grains of a coupled bed bear a bag beside the water in their pores, and rub") {
+  constexpr double mu = 0.1, share = 0.4;
+  const SharpBox box = on_grains(0.5, mu);
+  const Membrane<2>& skin = box.state.membranes[0];
+  for (const double y : {5.0, 6.0, 7.0}) {
+    const std::size_t segment = box.segment_at(3.25, y);
+    CHECK(skin.bed_pressure[segment] > 1e4);
+    CHECK(skin.water_pressure[segment] > skin.bed_pressure[segment]);
+    CHECK(shear_upwards(box, y) == near(-mu * skin.bed_pressure[segment], 1e-9));
+    CHECK(skin.bed_shear[segment] == skin.water_shear[segment]);
+  }
+  const auto at_skin = [&](int field) {  // along x, at (3.25 m, 6 m)
+    const auto at = [&](int i) { return box.grids[field].velocity[box.flat(i, 6)][0]; };
+    return 0.03125 * at(2) + 0.6875 * at(3) + 0.28125 * at(4);
+  };
+  CHECK(at_skin(2) < -0.05);
+  CHECK(share * at_skin(0) + (1 - share) * at_skin(2) == near(at_skin(2), 0.02));  // both go with the bag
+  double momentum = 0;
+  for (const Grid<2>& grid : box.grids)
+    for (std::size_t n = 0; n < grid.sum.size(); ++n) momentum += grid.sum[n][3] * grid.velocity[n][0];
+  CHECK(momentum == near(-15 * node_mass * 0.5, 1e-9));
+}
+
+TEST_CASE(
+    "Grains push but do not pull, the water between them does both; grains that a gap parts from a bag are let be") {
+  const SharpBox lifted = on_grains(-0.5, 0.1);
+  for (const double p : lifted.state.membranes[0].bed_pressure) CHECK(p == near_zero(0.1));
+  CHECK(lifted.state.membranes[0].water_pressure[lifted.segment_at(3.25, 6)] < -1e4);
+  const SharpBox apart = on_grains(0.5, 0.1, 0.6);  // two thirds of a bed's grains: 0.3 m away
+  for (const double p : apart.state.membranes[0].bed_pressure) CHECK(p == near_zero(0.1));
+  CHECK(apart.state.membranes[0].water_pressure[apart.segment_at(3.25, 6)] > 1e4);
 }
 
 TEST_CASE("Steps in which the pressures are not found are counted, and a hundred in a row end the run") {

@@ -39,6 +39,13 @@ TEST_CASE("The shipped cases of design raise no doubt") {
     CHECK_MESSAGE(joined({}, scene) == "", scene);
 }
 
+TEST_CASE("Coupled soil around a sharp membrane that does not name it as its bed") {
+  const char* scene = "cases/verification/bag_on_coupled_bed.toml";
+  CHECK(!contains(joined({}, scene), ".bed does not name"));
+  CHECK(contains(joined({"membranes.geotextile.bed=", "membranes.geotextile.bed_friction="}, scene),
+                 "membranes.geotextile.bed does not name \"bed\", a coupled soil around"));
+}
+
 TEST_CASE("Units: t/m3, kN/m3, kN/m, kPa, MPa, radians are named, with what they would be") {
   CHECK(contains(main_case({"materials.sand.density=1.631"}), "in t/m3 it would be 1631 kg/m3"));
   CHECK(contains(main_case({"materials.subsoil.density=20.0", "bodies.bed.initial_stress={ type = 'zero' }"}),

@@ -64,17 +64,6 @@ TEST_CASE("A bed is a body that is there, and friction is on a bed") {
   check_refused({"membranes.geotextile.interface=mixture"}, "membranes.geotextile.bed");
 }
 
-TEST_CASE("No bed of grains that move apart from the water around: rows hold the bag to that only") {
-  const std::string error = scene_error(
-      source_path("cases/dump_kekerdom.toml"),
-      {"materials.subsoil={model='mohr_coulomb',grain_density=2700.0,youngs_modulus=1e7,poissons_ratio=0.333,"
-       "cohesion=0.0,friction_angle_deg=30.0,dilatancy_angle_deg=0.0,tension_cutoff=0.0,drainage='coupled',"
-       "porosity=0.4,hydraulic_conductivity=1e-4}",
-       "bodies.bed.saturated_by=water"});
-  CAPTURE(error);
-  CHECK(error.find("membranes.geotextile.bed: found \"bed\", a coupled soil") != std::string::npos);
-}
-
 TEST_CASE("What hinders water is said, once, and where there is water") {
   const std::string membrane = "membranes.geotextile.";
   check_refused({membrane + "shear=sticky"}, membrane + "shear: found \"sticky\"");

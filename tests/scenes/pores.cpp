@@ -168,6 +168,15 @@ TEST_CASE("A bag of saturated sand has the same shape under 10 m and under 100 m
   CHECK(end(deep, pores) - end(shallow, pores) == near(90 * 1000 * 9.81, 0.03));  // 2 % of it: water is compressed
 }
 
+TEST_CASE("A bag lies down on a coupled bed within a second: the film of water below it leaves") {
+  const SceneRun run("cases/verification/bag_on_coupled_bed.toml",
+                     {"grid.spacing=0.2", "time.end=1.0", "results=", "verify=", "variants="});
+  REQUIRE(run.outcome().code == 0);
+  CHECK(run.column("sand.lowest_m").front() > 0.02);
+  CHECK(run.column("sand.lowest_m").back() < 0.01);  // 0.055 m with the film dragged as water in the pores is
+  CHECK(run.column("geotextile.bed_force_y_N_m").back() > 4e3);
+}
+
 TEST_CASE("Stretched cloth twice as open lets through what the closed form of that permittivity says") {
   const auto inflow = [](std::vector<std::string> settings) {
     settings.insert(settings.end(), {"grid.spacing=0.2", "membranes.fabric.slack=-0.1",

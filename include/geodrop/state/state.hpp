@@ -134,6 +134,7 @@ struct Membrane {
   Array<double> water_pressure;  ///< segments: of what is around [Pa]; else empty
   Array<double> water_shear;     ///< likewise, traction on the membrane along it, from node to node [Pa]
   Array<double> bed_shear;       ///< the part of it that is friction on the bed [Pa]; empty without a bed
+  Array<double> bed_pressure;    ///< the part of water_pressure that grains of a coupled bed bear [Pa]; else empty
 
   // Of a sharp membrane whose body is a soil with water in its pores:
   double permeance = 0;             ///< flow through it per area and pressure difference, psi / gamma_w [m/(s Pa)]

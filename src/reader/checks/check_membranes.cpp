@@ -68,10 +68,6 @@ void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::stri
   if (membrane.interface != Interface::sharp)
     report.add(key + ".bed", '"' + membrane.bed + "\" of a membrane that sticks to what is around",
                "bed with interface = \"sharp\" only");
-  else if (const BodySpec* bed = find_body(scene, membrane.bed); bed && pores_of(scene, *bed))
-    report.add(key + ".bed",
-               '"' + membrane.bed + "\", a coupled soil, whose grains have another velocity than what is around",
-               "a drained or undrained soil");
   else
     check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
 }
