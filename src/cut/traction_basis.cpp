@@ -231,10 +231,10 @@ SparseRows basis_of(const std::vector<Contact<Dim>>& contacts, const Grids<Dim>&
     return column;
   };
   for (const auto& [contact, says] : rows) {
-    std::vector<int>* const of_knots = says == Says::normal    ? &across
-                                       : says == Says::through ? &through
-                                       : says == Says::grains  ? &grains
-                                                               : nullptr;
+    std::vector<int>* const of_knots = says == Says::normal               ? &across
+                                       : says == Says::through            ? &through
+                                       : says == Says::grains && Dim == 2 ? &grains
+                                                                          : nullptr;
     if (of_knots)
       for (const auto& [knot, value] : shares[contact]) entries.emplace_back(row, column_of(knot, *of_knots), value);
     else

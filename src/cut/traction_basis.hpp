@@ -6,7 +6,7 @@
 // stretch has the mean over it: the traction of row r is sum_k B_rk x_k, x_k that at knot k. Constant pressures and,
 // along straight lines, those of still water are among them. A run of stretches that are all on the bed or all not, and
 // follow each other, has knots at its ends, where the outline turns, and evenly between these. In space knots are nodes
-// of the cloth (cloth_knots); stretches on the bed have a pressure each.
+// of the cloth (cloth_knots); stretches on the bed, and grains on a stretch, have a pressure each.
 #pragma once
 
 #include <geodrop/grid/grid.hpp>
