@@ -216,6 +216,7 @@ TEST_CASE(
   const SharpBox apart = on_grains(0.5, 0.1, 0.6);  // two thirds of a bed's grains: 0.3 m away
   for (const double p : apart.state.membranes[0].bed_pressure) CHECK(p == near_zero(0.1));
   CHECK(apart.state.membranes[0].water_pressure[apart.segment_at(3.25, 6)] > 1e4);
+  CHECK(apart.grids[2].velocity[apart.flat(3, 6)][0] < -0.01);  // the pressure of the water moves both
 }
 
 TEST_CASE("Steps in which the pressures are not found are counted, and a hundred in a row end the run") {
