@@ -30,8 +30,8 @@ RowsOfContact<Dim> rows_of(const Grids<Dim>& grids, int grains, const Contact<Di
   const Grid<Dim>& grid = grids[field];
   std::vector<NodeVector<Dim>> vectors = normals_of(grid.layout, grid.outline, contact);
   RowsOfContact<Dim> rows;
-  if (contact.stretch.wet && grains < 0) rows.normal = make_row(grids, field, 0, vectors);
-  if (contact.stretch.wet && grains >= 0) rows.normal = row_of_mixture(grids, field, grains, vectors);
+  if (contact.stretch.wet)
+    rows.normal = grains < 0 ? make_row(grids, field, 0, vectors) : row_of_mixture(grids, field, grains, vectors);
   if (contact.on_grains) rows.grains = make_row(grids, field, grains, vectors);
   if (contact.membrane->pore_pressure.empty()) return rows;
   for (NodeVector<Dim>& vector : vectors)

@@ -80,10 +80,9 @@ bool beside_membrane(const Grid<Dim>& grid, const Grid<Dim>& around, int flat) {
 
 /// Share of the room at a node of the water that grains have; beside a membrane the room is what both have.
 template <int Dim>
-double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, int flat,
+double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, bool beside, int flat,
                  const std::array<int, Dim>& node) {
-  if (!beside_membrane(grid, around, flat))
-    return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+  if (!beside) return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
   const double grains = grid.sum[flat][3] / grain_density, water = spline_volume(around, flat);
   return grains > 0 ? grains / (grains + water) : 0.0;
 }
@@ -103,13 +102,14 @@ void weigh_nodes(const Grid<Dim>& grid, double grain_density, double porosity, G
   const bool bed = grid.outline.size() == 0;
   for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
     for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
-      const double grains = grains_at<Dim>(grid, around, grain_density, flat, node);
+      const bool beside = beside_membrane(grid, around, flat);
+      const double grains = grains_at<Dim>(grid, around, grain_density, beside, flat, node);
       const double n = std::max(0.0, 1 - grains);
       around.pore_share[flat] = n;
       // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
       // water leaves as if the soil ended half a cell lower.
       around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(around, grid.drag_resistance, flat, node) : 0.0;
-      if (bed && grains > 0 && beside_cut(around, flat)) around.node_drag[flat] *= drag_under_bag(n, porosity);
+      if (bed && beside && grains > 0) around.node_drag[flat] *= drag_under_bag(n, porosity);
       const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
       around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
     }
