@@ -13,7 +13,8 @@ namespace geodrop {
 void cut(const GridLayout<2>& layout, const Membrane<2>& membrane, CutCells& cells);
 void cut(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedSurface& cells);
 
-/// Of a cut cell: a_ic, int N over the part inside, the sum of outward normals [m, m2].
+/// Of a cut cell: a_ic with walls folded in, int N over the part inside and its images beyond walls, the sum of outward
+/// normals [m, m2].
 template <int Dim>
 struct CutCell {
   int flat;

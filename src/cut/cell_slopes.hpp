@@ -141,12 +141,14 @@ inline Slope<2> faces_of(const CutCells& cells, int c, const CellSpans<2>& cell)
   add_face(cells.top_face[c - cells.count[0]], 1, 0, cell, slope);
   return slope;
 }
+/// Of a face on a wall the normal velocity is 0: it adds nothing once fold_at_walls has been.
 inline Slope<3> faces_of(const ClippedCells& cells, int c, const CellSpans<3>& cell) {
   const std::array<int, 3> stride{1, cells.count[0], cells.count[0] * cells.count[1]};
   Slope<3> slope{};
-  for (int a = 0; a < 3; ++a) {
-    add_face(cells.upper_face[a][c], a, 1, cell, slope);
-    add_face(cells.upper_face[a][c - stride[a]], a, 0, cell, slope);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    if (cell[a].part != SpanShape::Part::lower_half) add_face(cells.upper_face[a][c], axis, 1, cell, slope);
+    if (cell[a].part != SpanShape::Part::upper_half) add_face(cells.upper_face[a][c - stride[a]], axis, 0, cell, slope);
   }
   return slope;
 }
@@ -174,7 +176,7 @@ inline SplineVolumes<2> beside_right_face(const CutCells& cells, int c, const Ce
   return value;
 }
 inline SplineVolumes<3> beside_right_face(const ClippedCells& cells, int c, const CellSpans<3>& cell) {
-  const std::array<double, 3> x = cell[0].values();
+  const std::array<double, 3> x = means_over(cell[0]);
   const std::array<double, 9> along = face_integrals(cells.upper_face[0][c], cell[1], cell[2]);
   const double size = cell[0].width * cell[1].width * cell[2].width;
   SplineVolumes<3> value;

@@ -67,6 +67,20 @@ CellSpans<Dim> spans_of(const GridLayout<Dim>& layout, int flat) {
   return spans;
 }
 
+/// The same, at a wall those of the half in the domain.
+template <int Dim>
+CellSpans<Dim> spans_in_domain(const GridLayout<Dim>& layout, int flat) {
+  CellSpans<Dim> spans = spans_of(layout, flat);
+  const std::array<int, Dim> place = stored_cell(layout, flat);
+  if (far_from_walls<Dim>(layout, 1, place)) return spans;
+  for (int a = 0; a < Dim; ++a) {
+    if (!on_wall(layout, a, place[a])) continue;
+    spans[a].width *= 0.5;
+    spans[a].part = place[a] == layout.pad ? SpanShape::Part::upper_half : SpanShape::Part::lower_half;
+  }
+  return spans;
+}
+
 /// Area or volume of a cell, walls or not [m2, m3].
 template <int Dim>
 double cell_size(const GridLayout<Dim>& layout, int flat) {

@@ -127,12 +127,21 @@ std::array<double, 3> for_each_fan(const Facet& facet, double size, const Convex
   return share;
 }
 
+/// Number of the plane of a box that is on a wall, by its wall_number.
+inline int plane_on_wall(const GridLayout<3>& layout, const ClippedCells& cells, std::uint32_t wall) {
+  const int axis = static_cast<int>(wall / 2), at_lower = GridLayout<3>::pad - cells.first[axis];
+  return wall % 2 == 1 ? at_lower + layout.cells[axis] + 1 : at_lower;
+}
+
 /// A box of cells around a membrane with a cell to spare on all sides, with nothing in it.
 void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells);
 
 /// A triangle of a membrane in the coordinates of its box.
 Facet facet_of(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedCells& cells,
                std::size_t triangle);
+
+/// A point in the coordinates of a box [h].
+Vec<3> place_in(const GridLayout<3>& layout, const ClippedCells& cells, const std::array<double, 3>& x);
 
 /// From what the pieces in each cell project to what lies beyond each face.
 void sum_beyond_faces(ClippedCells& cells);

@@ -61,6 +61,16 @@ void place_planes(const GridLayout<3>& layout, int axis, ClippedCells& cells) {
     plane[i] = layout.graded() ? in_box(layout, cells, axis, layout.knots[axis][cells.first[axis] + i].left) : i;
 }
 
+/// A cell at a wall at which the surface ends is the half of it in the domain.
+void end_at_walls(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells) {
+  for (const std::uint32_t wall : membrane.triangles.open_edge[2]) {
+    const int axis = static_cast<int>(wall / 2);
+    const bool upper = wall % 2 == 1;
+    const double place = upper ? layout.upper[axis] : layout.lower[axis];
+    cells.plane[wall / 2][plane_on_wall(layout, cells, wall)] = in_box(layout, cells, axis, place);
+  }
+}
+
 }  // namespace
 
 void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells) {
@@ -72,18 +82,23 @@ void place_box(const GridLayout<3>& layout, const Membrane<3>& membrane, Clipped
     size *= cells.count[a];
     place_planes(layout, a, cells);
   }
-  cells.even = !layout.graded();
+  end_at_walls(layout, membrane, cells);
+  cells.even = !layout.graded() && membrane.triangles.open_edge[2].empty();
   cells.inside.assign(size, 0.0);
   for (auto& face : cells.upper_face) face.assign(size, {});
   cells.pieces.clear();
 }
 
+Vec<3> place_in(const GridLayout<3>& layout, const ClippedCells& cells, const std::array<double, 3>& x) {
+  Vec<3> place;
+  for (int a = 0; a < 3; ++a) place[a] = in_box(layout, cells, a, x[static_cast<std::size_t>(a)]);
+  return place;
+}
+
 Facet facet_of(const GridLayout<3>& layout, const Membrane<3>& membrane, const ClippedCells& cells,
                std::size_t triangle) {
   const auto place = [&](std::size_t node) {
-    Vec<3> x;
-    for (int a = 0; a < 3; ++a) x[a] = in_box(layout, cells, a, membrane.x[a][node]);
-    return x;
+    return place_in(layout, cells, {membrane.x[0][node], membrane.x[1][node], membrane.x[2][node]});
   };
   const auto& corner = membrane.triangles.corner;
   return Facet({place(corner[0][triangle]), place(corner[1][triangle]), place(corner[2][triangle])});

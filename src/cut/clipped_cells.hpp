@@ -37,18 +37,35 @@ inline int local_around(const ClippedCells& cells, int cell, int n) {
   return cell + n % 3 - 1 + cells.count[0] * (n / 3 % 3 - 1 + cells.count[1] * (n / 9 - 1));
 }
 
-/// Coefficients of 1, z, z^2 of the splines of the nodes below, at and above a span; z from -1/2 to 1/2.
+/// Coefficients of 1, z, z^2 of the splines of the nodes below, at and above a span; z from -1/2 to 1/2 of its part.
 using SplinePowers = std::array<std::array<double, 3>, 3>;
 inline SplinePowers spline_powers(const SpanShape& span) {
   const double below = span.below, above = span.above;
-  return {{{0.25 * below, -below, below},
-           {1 - 0.25 * (below + above), below - above, -(below + above)},
-           {0.25 * above, above, above}}};
+  SplinePowers powers{{{0.25 * below, -below, below},
+                       {1 - 0.25 * (below + above), below - above, -(below + above)},
+                       {0.25 * above, above, above}}};
+  if (span.part == SpanShape::Part::whole) return powers;
+  const double middle = span.part == SpanShape::Part::upper_half ? 0.25 : -0.25;
+  for (auto& [constant, linear, square] : powers) {
+    constant += middle * linear + middle * middle * square;
+    linear = 0.5 * linear + middle * square;
+    square *= 0.25;
+  }
+  return powers;
+}
+
+/// int N of the nodes below, at and above over a span or its part [its width].
+inline std::array<double, 3> means_over(const SpanShape& span) {
+  if (span.part == SpanShape::Part::whole) return span.values();
+  const SplinePowers powers = spline_powers(span);
+  std::array<double, 3> means;
+  for (std::size_t n = 0; n < 3; ++n) means[n] = powers[n][0] + powers[n][2] / 12;
+  return means;
 }
 
 /// int N over the part of a face inside, for the 3 x 3 nodes along its two axes, which follow the face's own
 /// cyclically, first axis fastest [its area].
-std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments, const SpanShape& along_u = {1},
-                                     const SpanShape& along_w = {1});
+std::array<double, 9> face_integrals(const ClippedCells::FaceMoments& moments, const SpanShape& along_u = {.width = 1},
+                                     const SpanShape& along_w = {.width = 1});
 
 }  // namespace geodrop

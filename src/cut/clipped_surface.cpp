@@ -8,6 +8,7 @@
 #include "clip_pieces.hpp"
 #include "clipped_cells.hpp"
 #include "geometry/corner.hpp"
+#include "geometry/surface_ends.hpp"
 
 namespace geodrop {
 namespace {
@@ -149,6 +150,15 @@ std::array<double, 27> of_nodes(const std::array<double, moment_count>& moments,
 
 /// Coefficients of 1, z, z^2, z^3 of int N dz from the lower side of a span, z from -1/2 to 1/2.
 std::array<std::array<double, 4>, 3> integral_powers(const SpanShape& span) {
+  if (span.part != SpanShape::Part::whole) {
+    const SplinePowers powers = spline_powers(span);
+    std::array<std::array<double, 4>, 3> of_part;
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto& [constant, linear, square] = powers[n];
+      of_part[n] = {constant / 2 - linear / 8 + square / 24, constant, linear / 2, square / 3};
+    }
+    return of_part;
+  }
   const double below = span.below, above = span.above;
   return {{{7 * below / 24, below / 4, -below / 2, below / 3},
            {(12 - 7 * below - above) / 24, 1 - (below + above) / 4, (below - above) / 2, -(below + above) / 3},
@@ -198,7 +208,7 @@ std::vector<Flank> add_up(const GridLayout<3>& layout, const std::vector<RawPiec
       for (std::uint32_t p = ends[side]; p < ends[side + 1]; ++p) sums.add(pieces[sorted.order[p]]);
       if (flank.pieces == 0) continue;
       const BoxCell cell(cells, flank.cell);
-      integrate_splines(sums, spans_of(layout, flat_of(layout, cells, flank.cell)), cell.width[0], flank);
+      integrate_splines(sums, spans_in_domain(layout, flat_of(layout, cells, flank.cell)), cell.width[0], flank);
       add_to_cell(sums, cell, flank.cell, cells);
     }
   }
@@ -254,6 +264,36 @@ void make_patches(const std::vector<RawPiece>& pieces, const Sorted& sorted, con
   }
 }
 
+/// Closes the surface beyond the upper walls at which it ends, from where all that lies below is counted: by a fan over
+/// its open edges, as far across the axis as the wall and half a cell beyond it.
+void add_fans(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells) {
+  const auto& [from, to, walls] = membrane.triangles.open_edge;
+  std::vector<RawPiece> pieces;
+  std::vector<SurfaceEnd> ends;
+  for (const std::uint32_t wall : walls) {
+    const int axis = static_cast<int>(wall / 2);
+    const bool upper = wall % 2 == 1;
+    ends.push_back({axis, upper, upper ? layout.upper[axis] : layout.lower[axis]});
+  }
+  const auto place_of = [&](std::uint32_t node) {
+    return Corner{membrane.x[0][node], membrane.x[1][node], membrane.x[2][node]};
+  };
+  for (std::size_t e = 0, first = 0; e < walls.size(); ++e) {
+    if (walls[e] != walls[first]) first = e;
+    if (!ends[e].upper) continue;
+    std::array<Vec<3>, 3> corners{place_in(layout, cells, place_of(to[e])), place_in(layout, cells, place_of(from[e])),
+                                  place_in(layout, cells, middle_of_fan(ends, ends[e], place_of(from[first])))};
+    const double beyond = cells.plane[static_cast<std::size_t>(ends[e].axis)][plane_on_wall(layout, cells, walls[e])];
+    for (Vec<3>& x : corners) x[ends[e].axis] = beyond + 0.5;
+    add_triangle(0, Facet(corners), cells, pieces);
+  }
+  for (const RawPiece& piece : pieces) {
+    FlankSums sums;
+    sums.add(piece);
+    add_to_cell(sums, BoxCell(cells, piece.piece.cell), piece.piece.cell, cells);
+  }
+}
+
 }  // namespace
 
 void clip_surface(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedSurface& cells) {
@@ -262,6 +302,7 @@ void clip_surface(const GridLayout<3>& layout, const Membrane<3>& membrane, Clip
   Sorted sorted = sort_by_cell(pieces);
   const std::vector<Flank> flanks = add_up(layout, pieces, sorted, cells);
   make_patches(pieces, sorted, flanks, cells);
+  add_fans(layout, membrane, cells);
   sum_beyond_faces(cells);
 }
 

@@ -22,14 +22,22 @@
 namespace geodrop {
 namespace {
 
-/// Cells at walls are half cells with mirrored nodes: an outline stays out of them.
+/// Whether a surface ends at a wall.
+bool ends_at(const Membrane<2>&, int, bool) { return false; }
+bool ends_at(const Membrane<3>& membrane, int axis, bool upper) {
+  const Array<std::uint32_t>& walls = membrane.triangles.open_edge[2];
+  return std::find(walls.begin(), walls.end(), wall_number(axis, upper)) != walls.end();
+}
+
+/// Cells at walls are half cells with mirrored nodes: an outline stays out of them, unless it ends there.
 template <int Dim>
 void check_walls(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, const Outline<Dim>& cells) {
   constexpr int margin = 1;  // of the box around the outline
   for (int a = 0; a < Dim; ++a) {
     const int first = cells.first[a] + margin - GridLayout<Dim>::pad;
     const int last = first + cells.count[a] - 2 * margin - 1;
-    if (first >= 1 && last <= layout.cells[a] - 1) continue;
+    if ((first >= 1 || ends_at(membrane, a, false)) && (last <= layout.cells[a] - 1 || ends_at(membrane, a, true)))
+      continue;
     throw RunError(fmt::format(
         "membrane '{}' came within half a cell of a wall of the domain (axis {}), where a sharp interface has no room",
         membrane.name, a));
@@ -73,13 +81,15 @@ void for_each_cut_cell(const ClippedSurface& cells, F&& f) {
   for (const ClippedSurface::Flank& flank : cells.flanks) f(flank.cell);
 }
 
-/// f(flat) for the cells that an outline does not cut and that lie inside, or else outside.
+/// f(flat) for the cells of the domain that an outline does not cut and that lie inside, or else outside.
 template <int Dim, class F>
 void for_each_uncut(const GridLayout<Dim>& layout, const Outline<Dim>& cells, bool inside, F&& f) {
   std::vector<bool> cut(cells.size(), false);
   for_each_cut_cell(cells, [&](int cell) { cut[cell] = true; });
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    if (!cut[c] && (inside_of(cells)[c] > 0.5) == inside) f(flat_of(layout, cells, static_cast<int>(c)));
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (cut[c] || (inside_of(cells)[c] > 0.5) != inside) continue;
+    if (const int flat = flat_of(layout, cells, static_cast<int>(c)); in_domain(layout, flat)) f(flat);
+  }
 }
 
 /// Takes what rigid bodies have of cells from the parts of the fluid that they touch.
@@ -193,7 +203,7 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
     const std::vector<int> inner = fields_inside(membrane, grids);
     for (const CutCell<Dim>& cell : cut_cells_of(grid, membrane)) {
       const CellSpans<Dim> spans = spans_of(around.layout, cell.flat);
-      PartCell<Dim>& outside = lists.front().at(cell.flat, whole_cell(spans));
+      PartCell<Dim>& outside = lists.front().at(cell.flat, slopes_in_domain(around.layout, cell.flat));
       outside.host = is_wet(around, cell.flat) ? find_host(around, cell.flat, cell.normal) : -1;
       const SplineVolumes<Dim> whole = whole_value(spans);
       for (int n = 0; n < nodes_around<Dim>; ++n) {
@@ -212,7 +222,7 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
     if (const int water = grid.pore_water; water > 0)
       for_each_uncut(grid.layout, grid.outline, true, [&](int flat) {
         const int host = find_host(grids[water], flat, {});
-        if (host >= 0 && host != flat) lists[water].at(flat, whole_cell(spans_of(grid.layout, flat))).host = host;
+        if (host >= 0 && host != flat) lists[water].at(flat, slopes_in_domain(grid.layout, flat)).host = host;
       });
     // Cells of the other field, and particles that strayed there.
     const auto take_in_strays = [&](int field, bool inside) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_slopes.hpp"
 #include "cells_around.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
@@ -115,8 +116,10 @@ std::vector<NodeVector<3>> normals_over(const GridLayout<3>& layout, const Clipp
   for (std::size_t k = stretch.first; k < stretch.first + stretch.count; ++k) {
     const ClippedSurface::Flank& flank = cells.flanks[k];
     const int flat = flat_of(layout, cells, flank.cell);
+    Slope<3> spline = flank.spline;
+    fold_at_walls(layout, flat, spline);
     for (int n = 0; n < 27; ++n) {
-      const auto& [x, y, z] = flank.spline[n];
+      const auto& [x, y, z] = spline[n];
       out.push_back({node_around(layout, flat, n), {h2 * x, h2 * y, h2 * z}});
     }
   }

@@ -1,5 +1,6 @@
 #include "doubtful_setting.hpp"
 
+#include <geodrop/base/find_named.hpp>
 #include <geodrop/geometry/shapes.hpp>
 
 #include <fmt/format.h>
@@ -89,13 +90,23 @@ double finest_spacing(const GridSpec& grid, std::size_t axis) {
   return finest;
 }
 
+/// How far a body extends along an axis [m]; with its image if a membrane around it ends at one wall across the axis.
+double extent_with_image(const Scene& scene, const BodySpec& body, const Bounds& box, std::size_t axis) {
+  const double extent = box.upper[axis] - box.lower[axis];
+  const auto* inside = std::get_if<InsideShape>(&body.shape);
+  if (!inside) return extent;
+  const MembraneSpec& membrane = find_named(scene.membranes, inside->membrane);
+  const auto ends = std::ranges::count(membrane.drawn.ends, static_cast<int>(axis), &SurfaceEnd::axis);
+  return ends == 1 ? 2 * extent : extent;
+}
+
 /// Fewer cells give the shape of the grid, not that of the membrane.
 std::string coarse_content_doubt(const Scene& scene, const BodySpec& body) {
   constexpr double least_cells = 4, chords = 0.02;  // by which a surface of triangles lies within its ellipsoid
   if (!in_geotextile(scene, body)) return {};
   const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
   for (std::size_t axis = box.lower.size(); axis-- > 0;) {  // the height first
-    const double extent = box.upper[axis] - box.lower[axis], cells = extent / finest_spacing(scene.grid, axis);
+    const double extent = extent_with_image(scene, body, box, axis), cells = extent / finest_spacing(scene.grid, axis);
     if (from_wall_to_wall(scene, box, axis) || cells >= least_cells * (1 - chords)) continue;
     return "bodies." + body.name + " is " + number(cells) + " cells " +
            (axis + 1 == box.lower.size() ? "high" : "wide") + ": a body within a membrane has to have at least four; " +
@@ -113,7 +124,7 @@ std::string shift_doubt(const Scene& scene, const BodySpec& body) {
   double fewest = std::numeric_limits<double>::infinity();
   std::size_t axis = 0;
   for (std::size_t i = 0; i < box.lower.size(); ++i) {
-    const double cells = (box.upper[i] - box.lower[i]) / finest_spacing(scene.grid, i);
+    const double cells = extent_with_image(scene, body, box, i) / finest_spacing(scene.grid, i);
     if (from_wall_to_wall(scene, box, i) || cells >= fewest) continue;
     fewest = cells;
     axis = i;
@@ -121,7 +132,7 @@ std::string shift_doubt(const Scene& scene, const BodySpec& body) {
   if (fewest >= least_cells) return {};
   return "bodies." + body.name + ".shift moves few particles or none: the body is " + number(fewest) +
          " cells across, and only cells with full neighbours on all sides are evened out; " +
-         finer_cells(scene, axis, (box.upper[axis] - box.lower[axis]) / least_cells);
+         finer_cells(scene, axis, extent_with_image(scene, body, box, axis) / least_cells);
 }
 
 /// Nothing but a bed's grains, which have a velocity of their own, bear a membrane.

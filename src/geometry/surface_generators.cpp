@@ -199,6 +199,30 @@ TriangleSurface capsule_surface(const Corner& from, const Corner& to, double rad
   return surface;
 }
 
+TriangleSurface tube_surface(const Corner& from, const Corner& to, const std::vector<Point>& section, double edge) {
+  const Corner way = along(to, -1, from);
+  const double straight = length(way);
+  const Frame frame = frame_along(way);
+  const std::uint32_t rows = pieces(straight, edge * std::numbers::sqrt3 / 2, 1);
+  TriangleSurface surface;
+  std::vector<Ring> rings;
+  const auto add_point = [&](double height, double first, double second) {
+    const Corner middle = along(from, height, frame.axis);
+    surface.points.push_back(along(along(middle, first, frame.first), second, frame.second));
+    return static_cast<std::uint32_t>(surface.points.size() - 1);
+  };
+  rings.push_back({{add_point(0, 0, 0)}});
+  for (std::uint32_t k = 0; k <= rows; ++k) {
+    Ring ring{{}, k % 2 == 0 ? 0 : 0.5};
+    for (std::size_t n = k % 2; n < section.size(); n += 2)
+      ring.points.push_back(add_point(straight * k / rows, section[n][0], section[n][1]));
+    rings.push_back(std::move(ring));
+  }
+  rings.push_back({{add_point(straight, 0, 0)}});
+  stitch_all(rings, surface);
+  return surface;
+}
+
 TriangleSurface disc_pillow_surface(const Corner& centre, double radius, double thickness, double edge) {
   const std::uint32_t rings_of_a_side = pieces(radius, edge, 2);
   const Frame frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -11,6 +11,11 @@ TriangleSurface ellipsoid_surface(const Corner& centre, const Corner& semi_axes,
 /// A cylinder with hemispherical caps about the ends of a segment: rings of triangles that are about equilateral.
 TriangleSurface capsule_surface(const Corner& from, const Corner& to, double radius, double edge);
 
+/// A cylinder with flat ends about a segment. Its section, anticlockwise as seen from `to`, is one polygon for all
+/// rings: an even number of points, of which every second one is in a ring and the others in the next one. The first
+/// coordinate is level, that along x of an upright tube.
+TriangleSurface tube_surface(const Corner& from, const Corner& to, const std::vector<Point>& section, double edge);
+
 /// The largest thickness of a pillow over its length and width, or of a disc over its diameter.
 inline constexpr double most_open = 0.7;
 

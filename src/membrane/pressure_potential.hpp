@@ -2,8 +2,8 @@
 //
 //   U = -int p dV = -sum x_k f_k
 //
-// over what the membrane encloses: linear in the x of its nodes, so that the loads f = -dU/dx tell it (Euler). They do
-// no other work.
+// over what the membrane encloses: linear in the x of its nodes (or another axis, without ends at walls), so that the
+// loads f = -dU/dx tell it (Euler). They do no other work.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "fluid_load.hpp"
 #include "membrane_force.hpp"
 #include "surface_load.hpp"
+#include "triangles.hpp"
 
 namespace geodrop {
 
@@ -33,8 +34,11 @@ double pressure_potential(const std::vector<StillFluid>& fluids, const State<Dim
   if constexpr (Dim == 2) add_still_fluids(fluids, pressed);
   if constexpr (Dim == 3) add_surface_pressure(fluids, pressed);
   double potential = 0;
-  for (const Membrane<Dim>& membrane : pressed.membranes)
-    potential -= std::inner_product(membrane.load[0].begin(), membrane.load[0].end(), membrane.x[0].begin(), 0.0);
+  for (const Membrane<Dim>& membrane : pressed.membranes) {
+    int a = 0;
+    if constexpr (Dim == 3) a = axis_without_ends(membrane);
+    potential -= std::inner_product(membrane.load[a].begin(), membrane.load[a].end(), membrane.x[a].begin(), 0.0);
+  }
   return potential;
 }
 

@@ -104,9 +104,24 @@ Eigen::Vector3d normal_of(const Membrane<3>& membrane, std::size_t t) {
 
 double enclosed_volume(const Membrane<3>& membrane) {
   double sum = 0;
+  if (membrane.triangles.open_edge[2].empty()) {
+    for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
+      sum += corner_of(membrane, t, 0).dot(normal_of(membrane, t)) / 6;
+    return sum;
+  }
+  const int a = axis_without_ends(membrane);
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t)
-    sum += corner_of(membrane, t, 0).dot(normal_of(membrane, t)) / 6;
+    sum += middle_of(membrane, t)[a] * normal_of(membrane, t)[a] / 2;
   return sum;
+}
+
+int axis_without_ends(const Membrane<3>& membrane) {
+  const Array<std::uint32_t>& walls = membrane.triangles.open_edge[2];
+  int axis = 0;
+  while (
+      std::any_of(walls.begin(), walls.end(), [&](std::uint32_t wall) { return static_cast<int>(wall / 2) == axis; }))
+    ++axis;
+  return axis;
 }
 
 void update_triangles(Membrane<3>& membrane) {

@@ -50,8 +50,11 @@ Eigen::Matrix2d rest_edges(const Membrane<3>& membrane, std::size_t triangle);
 Eigen::Vector3d middle_of(const Membrane<3>& membrane, std::size_t triangle);
 Eigen::Vector3d normal_of(const Membrane<3>& membrane, std::size_t triangle);
 
-/// What is enclosed [m3].
+/// What is enclosed, by walls too at which the surface ends [m3].
 double enclosed_volume(const Membrane<3>& membrane);
+
+/// The first axis across which the surface ends at no wall: the divergence theorem holds along it.
+int axis_without_ends(const Membrane<3>& membrane);
 
 /// Fills strain, tension and cross_tension.
 void update_triangles(Membrane<3>& membrane);

@@ -26,13 +26,14 @@ std::vector<std::string> notes_of(const std::string& path, const Report& report)
 
 /// Surfaces of membranes in space, and the bodies inside them.
 void draw_surfaces(const std::string& path, Scene& scene, Report& report) {
-  if (scene.dimension != 3 || !report.healthy("dimension") || !report.healthy("grid")) return;
+  if (scene.dimension != 3 || !report.healthy("dimension") || !report.healthy("grid") || !report.healthy("walls"))
+    return;
   for (std::size_t m = 0; m < scene.membranes.size(); ++m) {
     MembraneSpec& membrane = scene.membranes[m];
     const std::string& key = report.element("membranes", m);
     if (!report.healthy(key + ".surface") || !report.healthy(key + ".segments_per_cell")) continue;
-    const SurfaceFault fault = draw_surface(scene.grid, path, membrane);
-    if (!fault.found.empty()) report.add(key + ".surface", fault.found, fault.allowed);
+    const SurfaceFault fault = draw_surface(scene.grid, scene.walls, path, membrane);
+    if (!fault.found.empty()) report.add(key + fault.key, fault.found, fault.allowed);
     for (BodySpec& body : scene.bodies)
       if (auto* inside = std::get_if<InsideShape>(&body.shape); inside && inside->membrane == membrane.name)
         inside->region = membrane.drawn.region;

@@ -21,6 +21,7 @@
 #include "contact/space_surface.hpp"
 #include "contact/surface_contact.hpp"
 #include "fill_particles.hpp"
+#include "geometry/surface_ends.hpp"
 #include "initial_velocity.hpp"
 #include "measure/probes/probes.hpp"
 #include "membrane/anchors.hpp"
@@ -204,11 +205,18 @@ void set_triangles(const MembraneSpec& spec, const TriangleSurface& surface, Mem
 }
 
 void draw_surface_cloth(const Scene& scene, const MembraneSpec& spec, Membrane<3>& membrane) {
-  const TriangleSurface& surface = spec.drawn.region->surface();
+  const TriangleSurface& surface = *spec.drawn.cloth;
   for (std::size_t a = 0; a < 3; ++a)
     for (const Corner& x : surface.points) membrane.x[a].push_back(x[a]);
   membrane.mass.assign(surface.points.size(), 0.0);
   set_triangles(spec, surface, membrane);
+  for (const SurfaceEnd& end : spec.drawn.ends)
+    for (const auto& [from, to] : open_edges(surface, end)) {
+      auto& [starts, stops, wall] = membrane.triangles.open_edge;
+      starts.push_back(from);
+      stops.push_back(to);
+      wall.push_back(wall_number(end.axis, end.upper));
+    }
   set_cloth_velocity(scene, membrane.body, membrane);
 }
 

@@ -1,16 +1,19 @@
 #include "draw_surface.hpp"
 
 #include <geodrop/base/input_file.hpp>
+#include <geodrop/geometry/shapes.hpp>
 #include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/grid/graded_axis.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <utility>
 
 #include "geometry/corner.hpp"
+#include "geometry/surface_ends.hpp"
 #include "geometry/surface_file.hpp"
 #include "geometry/surface_generators.hpp"
 
@@ -42,6 +45,15 @@ Extent extent_of(const SurfaceSpec& spec) {
     double length = 2 * capsule->radius;
     for (std::size_t a = 0; a < 3; ++a) length += std::abs(capsule->to[a] - capsule->from[a]);
     extent.area = 2 * pi * capsule->radius * length;
+  } else if (const auto* tube = std::get_if<TubeSurface>(&spec)) {
+    const double most = std::max(tube->half_width, tube->half_height);
+    const Corner way = difference(to_corner(tube->to), to_corner(tube->from));
+    const double straight = std::sqrt(dot(way, way));
+    Point half(3);
+    for (std::size_t a = 0; a < 3; ++a)
+      half[a] = most * std::sqrt(std::max(0.0, 1 - std::pow(way[a] / std::max(straight, 1e-300), 2)));
+    for (const Point& end : {tube->from, tube->to}) extent.add(end, half);
+    extent.area = 2 * pi * most * (straight + most);
   } else if (const auto* pillow = std::get_if<PillowSurface>(&spec)) {
     const double t = pillow->thickness;  // a sheet that rises by half of it and comes down again is at least this long
     extent.add(pillow->centre, {std::max(0.0, pillow->length - t) / 2, std::max(0.0, pillow->width - t) / 2, t / 2});
@@ -54,10 +66,62 @@ Extent extent_of(const SurfaceSpec& spec) {
   return extent;
 }
 
-bool leaves(const GridSpec& grid, const Extent& extent) {
-  for (std::size_t a = 0; a < extent.lower.size(); ++a)
-    if (!(extent.lower[a] >= grid.lower[a] && extent.upper[a] <= grid.upper[a])) return true;
+/// Whether a box leaves the grid otherwise than at an end.
+template <class Place>
+bool leaves(const GridSpec& grid, const std::vector<SurfaceEnd>& ends, const Place& lower, const Place& upper) {
+  const auto ends_there = [&](std::size_t a, bool above) {
+    return std::ranges::any_of(
+        ends, [&](const SurfaceEnd& end) { return end.axis == static_cast<int>(a) && end.upper == above; });
+  };
+  for (std::size_t a = 0; a < lower.size(); ++a)
+    if ((!(lower[a] >= grid.lower[a]) && !ends_there(a, false)) ||
+        (!(upper[a] <= grid.upper[a]) && !ends_there(a, true)))
+      return true;
   return false;
+}
+
+/// The walls at which a membrane ends, in the order of their numbers; a mistake in them.
+SurfaceFault find_ends(const GridSpec& grid, const WallsSpec& walls, const MembraneSpec& membrane,
+                       std::vector<SurfaceEnd>& ends) {
+  constexpr std::array<const char*, 6> names{"left", "right", "front", "back", "bottom", "top"};
+  const std::string allowed = "\"left\", \"right\", \"front\", \"back\", \"bottom\" or \"top\", each once";
+  std::array<bool, 6> there{};
+  for (const std::string& name : membrane.ends_at) {
+    const auto wall = std::ranges::find(names, name) - names.begin();
+    if (wall == std::ssize(names)) return {"the wall \"" + name + '"', allowed, ".ends_at"};
+    if (there[static_cast<std::size_t>(wall)]) return {'"' + name + "\" twice", allowed, ".ends_at"};
+    there[static_cast<std::size_t>(wall)] = true;
+  }
+  std::size_t axes = 0;
+  for (std::size_t wall = 0; wall < names.size(); ++wall) {
+    if (!there[wall]) continue;
+    const std::size_t axis = wall / 2;
+    const bool upper = wall % 2 == 1;
+    if ((upper ? walls.upper : walls.lower)[axis] != WallKind::slip)
+      return {std::string("the wall \"") + names[wall] + "\", which is no slip wall", "walls of kind \"slip\"",
+              ".ends_at"};
+    if (ends.empty() || ends.back().axis != static_cast<int>(axis)) ++axes;
+    ends.push_back({static_cast<int>(axis), upper, (upper ? grid.upper : grid.lower)[axis]});
+  }
+  if (axes > 2 || (axes == 2 && ends.size() > 2))
+    return {std::to_string(ends.size()) + " walls across " + std::to_string(axes) + " axes",
+            "both walls of one axis, or one of each of two", ".ends_at"};
+  return {};
+}
+
+/// Even in number, every second one of a ring.
+std::vector<Point> section_of(const TubeSurface& tube, double edge) {
+  const Point centre{0, 0}, semi_axes{tube.half_width, tube.half_height};
+  const Shape shape = tube.section == TubeSurface::Section::ellipse
+                          ? Shape(EllipseShape{centre, semi_axes, tube.tilt_deg})
+                          : Shape(StadiumShape{centre, semi_axes, tube.tilt_deg});
+  const double around = perimeter(shape);
+  return outline(shape, around / (2 * std::max(3.0, std::round(around / edge))));
+}
+
+/// Of triangles with equal sides that have the same area [m].
+double mean_edge(const TriangleSurface& surface) {
+  return std::sqrt(4 / std::sqrt(3.0) * area(surface) / static_cast<double>(surface.triangles.size()));
 }
 
 struct Drawing {
@@ -71,6 +135,10 @@ struct Drawing {
   SurfaceFromFile operator()(const CapsuleSurface& s) const {
     if (s.from == s.to) return {{}, "a capsule without length"};
     return {capsule_surface(to_corner(s.from), to_corner(s.to), s.radius, edge), ""};
+  }
+  SurfaceFromFile operator()(const TubeSurface& s) const {
+    if (s.from == s.to) return {{}, "a tube without length"};
+    return {tube_surface(to_corner(s.from), to_corner(s.to), section_of(s, edge), edge), ""};
   }
   SurfaceFromFile operator()(const PillowSurface& s) const {
     if (s.thickness > most_open * std::min(s.length, s.width)) return {{}, "a pillow that is too thick for its cloth"};
@@ -96,25 +164,35 @@ std::string surface_path(const std::string& scene_file, const std::string& file)
   return std::filesystem::absolute(std::filesystem::path(scene_file).parent_path() / file).lexically_normal();
 }
 
-SurfaceFault draw_surface(const GridSpec& grid, const std::string& scene_file, MembraneSpec& membrane) {
-  constexpr double most_triangles = 2e6;
+SurfaceFault draw_surface(const GridSpec& grid, const WallsSpec& walls, const std::string& scene_file,
+                          MembraneSpec& membrane) {
+  constexpr double most_triangles = 2e6, most_moved = 0.3;  // of an edge
   const double edge = finest_spacing(grid) / membrane.segments_per_cell;
+  std::vector<SurfaceEnd> ends;
+  if (const SurfaceFault fault = find_ends(grid, walls, membrane, ends); !fault.found.empty()) return fault;
   const Extent extent = extent_of(membrane.surface);
-  SurfaceFault outside{"a surface that leaves the grid", "a surface inside the grid"};
-  if (leaves(grid, extent)) return outside;
+  SurfaceFault outside{"a surface that leaves the grid",
+                       "a surface inside the grid, or ends_at the walls beyond which it is"};
+  if (leaves(grid, ends, extent.lower, extent.upper)) return outside;
   if (!(extent.area <= most_triangles * std::sqrt(3.0) / 4 * edge * edge))
     return {"a surface of more than 2 million triangles", "one with fewer, by larger cells or fewer segments_per_cell"};
   SurfaceFromFile drawn = std::visit(Drawing{edge, scene_file}, membrane.surface);
   if (!drawn.fault.empty())
-    return {
-        drawn.fault,
-        "a sphere, an ellipsoid, a capsule with length, a pillow of at most 0.7 of its cloth, or a .stl or .obj file"};
+    return {drawn.fault,
+            "a sphere, an ellipsoid, a capsule or tube with length, a pillow of at most 0.7 of its cloth, or a .stl or "
+            ".obj file"};
   const std::string fault = fault_of(drawn.surface);
   if (!fault.empty()) return {fault, "a closed surface of triangles that have an area and face outwards"};
-  membrane.drawn.region = std::make_shared<SurfaceRegion>(std::move(drawn.surface));
-  for (std::size_t a = 0; a < 3; ++a)
-    if (membrane.drawn.region->lower()[a] < grid.lower[a] || membrane.drawn.region->upper()[a] > grid.upper[a])
-      return outside;
+  for (const SurfaceEnd& end : ends) {
+    drawn.surface = cut_off(std::move(drawn.surface), end, most_moved * mean_edge(drawn.surface));
+    if (open_edges(drawn.surface, end).empty())
+      return {"a surface that does not reach a wall of ends_at",
+              "one that reaches beyond it, or up to it with a flat end", ".ends_at"};
+  }
+  membrane.drawn.cloth = std::make_shared<TriangleSurface>(drawn.surface);
+  membrane.drawn.region = std::make_shared<SurfaceRegion>(with_fans(std::move(drawn.surface), ends));
+  membrane.drawn.ends = std::move(ends);
+  if (leaves(grid, {}, membrane.drawn.region->lower(), membrane.drawn.region->upper())) return outside;
   return {};
 }
 

@@ -44,6 +44,7 @@ void take_cloth(const Membrane<Dim>& from, Membrane<Dim>& membrane) {
     membrane.triangles.corner = from.triangles.corner;
     membrane.triangles.inverse_rest = from.triangles.inverse_rest;
     membrane.triangles.rest_area = from.triangles.rest_area;
+    membrane.triangles.open_edge = from.triangles.open_edge;
   }
 }
 

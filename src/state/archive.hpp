@@ -77,9 +77,9 @@ auto triangle_members(Triangles& triangles) {
     return std::tie();
   } else {
     auto& [fabric, poisson_ratio, weft_stiffness, weft_strength, mass_per_area, gauge_pressure, corner, inverse_rest,
-           rest_area, water_shear, cross_tension] = triangles;
+           rest_area, water_shear, cross_tension, open_edge] = triangles;
     return std::tie(fabric, poisson_ratio, weft_stiffness, weft_strength, mass_per_area, gauge_pressure, corner,
-                    inverse_rest, rest_area, water_shear, cross_tension);
+                    inverse_rest, rest_area, water_shear, cross_tension, open_edge);
   }
 }
 

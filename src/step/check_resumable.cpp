@@ -184,7 +184,8 @@ void check_membrane(const GridLayout<Dim>& layout, const Membrane<Dim>& built, c
     part.require(alike(membrane.triangles, built.triangles, &T::fabric, &T::poisson_ratio, &T::weft_stiffness,
                        &T::weft_strength, &T::mass_per_area, &T::gauge_pressure, &T::inverse_rest, &T::rest_area,
                        &T::water_shear, &T::cross_tension) &&
-                     membrane.triangles.corner == built.triangles.corner,
+                     membrane.triangles.corner == built.triangles.corner &&
+                     membrane.triangles.open_edge == built.triangles.open_edge,
                  "other triangles");
   }
   part.require(all_finite(membrane), "a value of a node that is not finite");

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "cut/cell_parts.hpp"
 #include "cut/cell_slopes.hpp"
 #include "cut/clipped_cells.hpp"
 #include "cut/clipped_surface.hpp"
+#include "cut/wet_cells.hpp"
+#include "geometry/surface_ends.hpp"
 #include "membrane/triangles.hpp"
 #include "support/near.hpp"
 #include "support/surfaces.hpp"
@@ -163,4 +166,97 @@ TEST_CASE("The same bits for any number of threads") {
     }
     omp_set_num_threads(1);
   }
+}
+
+namespace {
+
+/// The walls of a half or a quarter of the small grid.
+const std::vector<std::vector<SurfaceEnd>> parts_of_space{{{0, false, 0}},
+                                                          {{0, true, 0}},
+                                                          {{1, false, 0}},
+                                                          {{1, true, 0}},
+                                                          {{2, false, 0}},
+                                                          {{2, true, 0}},
+                                                          {{0, true, 0}, {1, true, 0}}};
+
+TriangleSurface cut_at(TriangleSurface surface, const std::vector<SurfaceEnd>& ends) {
+  for (const SurfaceEnd& end : ends) surface = cut_off(std::move(surface), end, 0);
+  return surface;
+}
+
+/// int grad N over the part of a whole cell inside, as the half of the cell in the domain has it.
+Slope<3> folded(const GridLayout<3>& half, int flat, Slope<3> whole) {
+  const std::array<int, 3> place = stored_cell(half, flat);
+  constexpr std::array<int, 3> step{1, 3, 9};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!on_wall(half, axis, place[axis])) continue;
+    const int beyond = place[axis] == half.pad ? 0 : 2;
+    for (int n = 0; n < 27; ++n)
+      for (int a = 0; a < 3; ++a) {
+        const int at = n / step[axis] % 3;
+        whole[n][a] *= at == beyond ? 0.0 : at == 1 ? 0.5 : 1.0;
+      }
+  }
+  for (int n = 0; n < 27; ++n) {
+    const auto held = held_by_walls(half, node_around(half, flat, n));
+    for (int a = 0; a < 3; ++a)
+      if (held[a]) whole[n][a] = 0;
+  }
+  return whole;
+}
+
+}  // namespace
+
+TEST_CASE("A half and a quarter of a ball that ends at walls cut cells as the whole ball does in their planes") {
+  const TriangleSurface ball = ellipsoid_surface({0, 0, 0}, {1, 0.8, 1.2}, 0.15);
+  Grid<3> whole;
+  whole.layout = small_grid(0.25);
+  whole.outline = clipped(whole.layout, ball);
+  std::map<std::array<double, 3>, CutCell<3>> of_whole;  // by place
+  const auto place_of = [](const GridLayout<3>& layout, int flat) {
+    const std::array<int, 3> cell = stored_cell(layout, flat);
+    std::array<double, 3> x;
+    for (int a = 0; a < 3; ++a) x[a] = layout.node(a, cell[a] - layout.pad);
+    return x;
+  };
+  for (const CutCell<3>& cell : cut_cells_of(whole, membrane_of(ball)))
+    of_whole[place_of(whole.layout, cell.flat)] = cell;
+  for (const std::vector<SurfaceEnd>& ends : parts_of_space) {
+    Grid<3> grid;
+    grid.layout = small_grid(0.25, {}, ends);
+    const TriangleSurface part = cut_at(ball, ends);
+    const Membrane<3> membrane = membrane_of(part, ends);
+    clip_surface(grid.layout, membrane, grid.outline);
+    int at_walls = 0;
+    for (const CutCell<3>& cell : cut_cells_of(grid, membrane)) {
+      const CutCell<3>& other = of_whole.at(place_of(grid.layout, cell.flat));
+      const Slope<3> expected = folded(grid.layout, cell.flat, other.inside);
+      for (int n = 0; n < 27; ++n) {
+        CHECK(std::abs(cell.value[n] - other.value[n]) < 1e-14);
+        for (int a = 0; a < 3; ++a) CHECK(std::abs(cell.inside[n][a] - expected[n][a]) < 1e-13);
+      }
+      at_walls += far_from_walls<3>(grid.layout, 1, stored_cell(grid.layout, cell.flat)) ? 0 : 1;
+    }
+    CHECK(at_walls > 20);
+  }
+}
+
+TEST_CASE("Shares of cells up to the walls at which a surface ends add up to what is inside, foul surfaces too") {
+  const std::vector<RefineSpec> zones{{0, -0.3, 0.2, 0.1, 1.5, {}}, {2, 0.1, 0.4, 0.2, 1.2, {}}};
+  for (const TriangleSurface& surface : surfaces())
+    for (const bool graded : {false, true})
+      for (const std::vector<SurfaceEnd>& ends :
+           {std::vector<SurfaceEnd>{{1, false, 0}}, {{1, true, 0}}, {{1, false, -0.4}, {1, true, 0.4}}}) {
+        const GridLayout<3> layout = small_grid(graded ? 0.4 : 0.2, graded ? zones : std::vector<RefineSpec>{}, ends);
+        const TriangleSurface part = cut_at(surface, ends);
+        ClippedSurface cells;
+        clip_surface(layout, membrane_of(part, ends), cells);
+        double sum = 0;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+          const int flat = flat_of(layout, cells, static_cast<int>(c));
+          if (in_domain(layout, flat)) sum += cells.inside[c] * size_in_domain(layout, flat);
+        }
+        CHECK(sum == near(volume(with_fans(part, ends)), 1e-12));
+        CHECK(enclosed_volume(membrane_of(part, ends)) == near(volume(with_fans(part, ends)), 1e-12));
+      }
 }

@@ -104,6 +104,14 @@ TEST_CASE("Sharp interface in space on graded axes: stopped and resumed on other
                 "0.002");
 }
 
+TEST_CASE(
+    "A quarter of a sharp surface in space, which ends at two walls: stopped and resumed on other threads, the same") {
+  check_resumed("cases/verification/sphere_release_3d.toml",
+                {"grid.spacing=0.5", "grid.upper=[0.0, 0.0, 2.0]", "bodies.water.shape.upper=[0.0, 0.0, 2.0]",
+                 "membranes.skin.ends_at=[\"right\", \"back\"]", "bodies.water.jitter=0.2", "time.end=0.006"},
+                "0.002");
+}
+
 TEST_CASE("Sand with open voids: stopped and resumed, the same") {
   check_resumed("tests/scenes/thrown_sand.toml", {"bodies.column.jitter=0.2", "time.end=0.5"}, "0.21");
 }

@@ -9,15 +9,20 @@
 #include <random>
 #include <vector>
 
+#include "geometry/surface_ends.hpp"
 #include "geometry/surface_generators.hpp"
 
 namespace geodrop::test {
 
-inline GridLayout<3> small_grid(double h, const std::vector<RefineSpec>& zones = {}) {
+/// ends: where walls stand instead of at -2 and 2 m.
+inline GridLayout<3> small_grid(double h, const std::vector<RefineSpec>& zones = {},
+                                const std::vector<SurfaceEnd>& ends = {}) {
   GridSpec spec;
   spec.refine = zones;
   spec.lower = {-2, -2, -2};
   spec.upper = {2, 2, 2};
+  for (const SurfaceEnd& end : ends)
+    (end.upper ? spec.upper : spec.lower)[static_cast<std::size_t>(end.axis)] = end.place;
   spec.spacing = h;
   spec.basis = Basis::bspline2;
   WallsSpec walls;
@@ -41,6 +46,18 @@ inline Membrane<3> membrane_of(const TriangleSurface& surface) {
     for (std::size_t k = 0; k < 3; ++k) membrane.triangles.corner[k].push_back(t[k]);
     membrane.triangles.rest_area.push_back(1);
   }
+  return membrane;
+}
+
+/// The same of a surface that ends at walls.
+inline Membrane<3> membrane_of(const TriangleSurface& surface, const std::vector<SurfaceEnd>& ends) {
+  Membrane<3> membrane = membrane_of(surface);
+  for (const SurfaceEnd& end : ends)
+    for (const auto& [from, to] : open_edges(surface, end)) {
+      membrane.triangles.open_edge[0].push_back(from);
+      membrane.triangles.open_edge[1].push_back(to);
+      membrane.triangles.open_edge[2].push_back(wall_number(end.axis, end.upper));
+    }
   return membrane;
 }
 

@@ -1,4 +1,5 @@
-// Closed triangulated surfaces in space: what a membrane is drawn as, and what a body inside it fills.
+// Triangulated surfaces in space, closed or up to planes at which they end: what a membrane is drawn as, and what a
+// body inside it fills.
 #pragma once
 
 #include <geodrop/geometry/shape.hpp>
@@ -18,6 +19,21 @@ struct TriangleSurface {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Corner> unstretched;  ///< of each point where the cloth was cut out flat [m]; empty: as drawn
 };
+
+/// A plane across an axis at which a surface ends: what lies beyond it is left out.
+struct SurfaceEnd {
+  int axis = 0;
+  bool upper = false;  ///< it ends upwards along the axis
+  double place = 0;    ///< coordinate of the plane [m]
+};
+
+/// 0, 1 for the lower and upper wall across x, 2, 3 across y, 4, 5 across z.
+inline std::uint32_t wall_number(int axis, bool upper) {
+  return static_cast<std::uint32_t>(2 * axis + (upper ? 1 : 0));
+}
+
+/// From point to point.
+using SurfaceEdge = std::array<std::uint32_t, 2>;
 
 /// Signed, of what is enclosed [m3]: positive if the triangles face outwards.
 double volume(const TriangleSurface& surface);

@@ -34,10 +34,14 @@ inline constexpr int slab_colours = Dim == 2 ? 2 : 4;
 /// What the quadratic splines of an axis look like on one knot span: at its upper end that of the node above is
 /// `above`, at its lower end that of the node below is `below` [-]; on a uniform grid both are 1/2.
 struct SpanShape {
-  double width;  ///< [m]
-  double below = 0.5, above = 0.5;
+  /// A cell at a wall at which a sharp surface ends is the half of its span that is in the domain.
+  enum class Part : std::uint8_t { whole, upper_half, lower_half };
 
-  /// int N over the span [width] and int N' of the nodes below, at and above.
+  double width;  ///< of the part [m]
+  double below = 0.5, above = 0.5;
+  Part part = Part::whole;
+
+  /// int N over a whole span [width] and int N' of the nodes below, at and above.
   std::array<double, 3> values() const { return {below / 3, (3 - below - above) / 3, above / 3}; }
   std::array<double, 3> slopes() const { return {-below, below - above, above}; }
 };
@@ -98,7 +102,7 @@ struct GridLayout {
   double span_width(int axis, int i) const { return graded() ? knots[axis][i + pad].width * inv_h : 1.0; }
   /// The knot span of a stored node along one axis, walls or not.
   SpanShape span_shape(int axis, int stored_node) const {
-    if (!graded()) return {h};
+    if (!graded()) return {.width = h};
     const KnotSpan& span = knots[axis][stored_node];
     return {span.width, span.width / (2 * span.gap_below), span.width / (2 * span.gap_above)};
   }

@@ -3,6 +3,7 @@
 
 #include <geodrop/base/error.hpp>
 #include <geodrop/geometry/shape.hpp>
+#include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/scene/initial.hpp>
 
 #include <cstdint>
@@ -74,13 +75,21 @@ struct DiscPillowSurface {
   double thickness = 0;  ///< in the middle, as drawn [m]
   bool operator==(const DiscPillowSurface&) const = default;
 };
+/// A straight tube with flat ends.
+struct TubeSurface {
+  enum class Section { ellipse, stadium } section = Section::ellipse;
+  Point from, to;                          ///< middles of its ends [m]
+  double half_width = 0, half_height = 0;  ///< of its section, before that is tilted [m]
+  double tilt_deg = 0;                     ///< of the section, anticlockwise as seen from `to` [degree]
+  bool operator==(const TubeSurface&) const = default;
+};
 struct FileSurface {
   std::string file;  ///< .stl or .obj
   bool operator==(const FileSurface&) const = default;
 };
 /// The first of them: a line in the plane.
-using SurfaceSpec =
-    std::variant<std::monostate, EllipsoidSurface, CapsuleSurface, PillowSurface, DiscPillowSurface, FileSurface>;
+using SurfaceSpec = std::variant<std::monostate, EllipsoidSurface, CapsuleSurface, TubeSurface, PillowSurface,
+                                 DiscPillowSurface, FileSurface>;
 
 /// What a membrane in space is made of.
 enum class Fabric {
@@ -90,7 +99,9 @@ enum class Fabric {
 
 /// Follows from the surface of a membrane; equal as those are.
 struct DrawnSurface {
-  std::shared_ptr<const SurfaceRegion> region;
+  std::shared_ptr<const SurfaceRegion> region;   ///< what is inside, closed at its ends
+  std::shared_ptr<const TriangleSurface> cloth;  ///< open there
+  std::vector<SurfaceEnd> ends;
   bool operator==(const DrawnSurface&) const { return true; }
 };
 
@@ -118,6 +129,7 @@ struct MembraneSpec {
   std::vector<double> permittivity_strains;  ///< at which it is that many times psi, linear between [-]; empty: once
   std::vector<double> permittivity_factors;  ///< likewise [-]
   SurfaceSpec surface;                       ///< in space
+  std::vector<std::string> ends_at;          ///< in space: walls at which the surface ends
   DrawnSurface drawn;                        ///< in space, once it is drawn
   Fabric fabric = Fabric::isotropic;
   double poisson_ratio = 0;   ///< of an isotropic one [-]

@@ -92,6 +92,8 @@ struct MembraneTriangles<3> {
   Array<double> rest_area;                       ///< [m2]
   std::array<Array<double>, 3> water_shear;      ///< of a sharp one: traction along it of what is around [Pa]; or empty
   Array<double> cross_tension;                   ///< smaller principal one, or of the weft, per width at rest [N/m]
+  /// Edges on walls at which the surface ends: nodes, as their triangle runs along them, and wall_number; else empty.
+  std::array<Array<std::uint32_t>, 3> open_edge;
 
   std::size_t size() const { return rest_area.size(); }
 };

@@ -18,8 +18,8 @@ namespace {
 std::vector<Point> nodes_of(const Scene& scene, const MembraneSpec& membrane) {
   if (scene.dimension == 2) return membrane_nodes(scene, membrane);
   std::vector<Point> nodes;
-  if (membrane.drawn.region)
-    for (const Corner& x : membrane.drawn.region->surface().points) nodes.emplace_back(x.begin(), x.end());
+  if (membrane.drawn.cloth)
+    for (const Corner& x : membrane.drawn.cloth->points) nodes.emplace_back(x.begin(), x.end());
   return nodes;
 }
 

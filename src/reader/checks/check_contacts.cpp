@@ -120,7 +120,7 @@ void check_membranes_in_space(const Scene& scene, const ContactPair& pair, const
                         "membranes around bodies of shape `inside`");
   if (!one.drawn.region || !other.drawn.region) return;
   const auto meets = [](const MembraneSpec& of, const MembraneSpec& in) {
-    const std::vector<Corner>& points = of.drawn.region->surface().points;
+    const std::vector<Corner>& points = of.drawn.cloth->points;
     return std::ranges::any_of(points, [&](const Corner& x) { return in.drawn.region->contains(x); });
   };
   if (meets(one, other) || meets(other, one))
@@ -138,10 +138,10 @@ void check_in_space(const Scene& scene, const ContactPair& pair, const std::stri
   }
   const MembraneSpec& membrane = find_named(scene.membranes, pair.touching);
   const SpaceSurface surface(make_rigid_body(find_named(scene.rigid, pair.other)));
-  if (!membrane.drawn.region) return;
+  if (!membrane.drawn.cloth) return;
   const double allowed = finest_spacing(scene.grid) / 10;
   double deepest = 0;
-  for (const Corner& x : membrane.drawn.region->surface().points)
+  for (const Corner& x : membrane.drawn.cloth->points)
     if (const auto depth = surface.depth(Vec<3>(x.data()))) deepest = std::max(deepest, depth->size);
   if (deepest > allowed)
     report.add(key + ".between",

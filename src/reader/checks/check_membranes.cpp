@@ -202,6 +202,10 @@ void check_surfaces(const Scene& scene, Report& report) {
     const bool no_warp = std::all_of(membrane.warp.begin(), membrane.warp.end(), [](double c) { return c == 0; });
     if (membrane.fabric == Fabric::yarns && no_warp && report.healthy(key + ".warp"))
       report.add(key + ".warp", to_text(membrane.warp), "a vector that is not zero");
+    const BodySpec* inside = find_body(scene, body_inside(scene, membrane));
+    if (!membrane.ends_at.empty() && inside && inside->pressure == PressureSupport::enclosed)
+      report.add(key + ".ends_at", "ends of a membrane around a body with pressure = \"enclosed\"",
+                 "none there; interface = \"sharp\" or a mixture around others");
     if (scene.solver.transfer == Transfer::musl && report.healthy("solver.transfer"))
       report.add(key, "a membrane in space with solver.transfer = \"musl\"", "tpic or blend");
     else if (report.healthy("grid"))

@@ -30,11 +30,15 @@ mass_per_area = 0.6
 strength = 120.0e3
 slack = 0.0
 gauge_pressure = 5000.0)", {
-      key("type", itself<SurfaceSpec>, {{"sphere", EllipsoidSurface{}}, {"ellipsoid", EllipsoidSurface{}}, {"capsule", CapsuleSurface{}}, {"pillow", PillowSurface{}}, {"disc_pillow", DiscPillowSurface{}}, {"file", FileSurface{}}}, required, "which surface; capsule: a cylinder with hemispherical caps; pillow, disc_pillow: two rectangles, two discs sewn together along their rims; file: any closed surface").in(3),
+      key("type", itself<SurfaceSpec>, {{"sphere", EllipsoidSurface{}}, {"ellipsoid", EllipsoidSurface{}}, {"capsule", CapsuleSurface{}}, {"tube", TubeSurface{}}, {"pillow", PillowSurface{}}, {"disc_pillow", DiscPillowSurface{}}, {"file", FileSurface{}}}, required, "which surface; capsule: a cylinder with hemispherical caps; tube: a cylinder with flat ends; pillow, disc_pillow: two rectangles, two discs sewn together along their rims; file: any closed surface").in(3),
       key("centre", Either(&EllipsoidSurface::centre, &PillowSurface::centre, &DiscPillowSurface::centre), "m", required, any, "centre").only("type=sphere|ellipsoid|pillow|disc_pillow").in(3),
       key("semi_axes", &EllipsoidSurface::semi_axes, "m", required, positive, "half lengths of the axes along x, y, z").only("type=ellipsoid").in(3),
-      key("from", &CapsuleSurface::from, "m", required, any, "centre of one cap").only("type=capsule").in(3),
-      key("to", &CapsuleSurface::to, "m", required, any, "centre of the other").only("type=capsule").in(3),
+      key("from", Either(&CapsuleSurface::from, &TubeSurface::from), "m", required, any, "centre of one cap or end").only("type=capsule|tube").in(3),
+      key("to", Either(&CapsuleSurface::to, &TubeSurface::to), "m", required, any, "centre of the other").only("type=capsule|tube").in(3),
+      key("section", &TubeSurface::section, {{"ellipse", TubeSurface::Section::ellipse}, {"stadium", TubeSurface::Section::stadium}}, required, "of the tube; stadium: a rectangle with a semicircle on both short sides").only("type=tube").in(3),
+      key("half_width", &TubeSurface::half_width, "m", required, positive, "of the section, level (of an upright tube along x)").only("type=tube").in(3),
+      key("half_height", &TubeSurface::half_height, "m", required, positive, "of the section, across that").only("type=tube").in(3),
+      key("tilt_deg", &TubeSurface::tilt_deg, "degree", standard("0.0"), any, "rotation of the section, anticlockwise as seen from `to`").only("type=tube").in(3),
       key("radius", Either(round, &CapsuleSurface::radius, &DiscPillowSurface::radius), "m", required, positive, "of the sphere, of the cylinder and its caps, of the discs").only("type=sphere|capsule|disc_pillow").in(3),
       key("length", &PillowSurface::length, "m", required, positive, "of the cloth along x").only("type=pillow").in(3),
       key("width", &PillowSurface::width, "m", required, positive, "of the cloth along y: half the perimeter of a tube that is filled").only("type=pillow").in(3),
@@ -71,6 +75,7 @@ roughness = 0.003)", {
       key("segments_per_cell", &MembraneSpec::segments_per_cell, "", standard("4.0"), dense, "nodes are h / segments_per_cell apart").in(2),
       key("segments_per_cell", &MembraneSpec::segments_per_cell, "", standard("1.6"), dense_in_space, "edges of triangles are about h / segments_per_cell long").in(3),
       key.table("surface", &MembraneSpec::surface, surface_section(), required, "where it is at the start").in(3),
+      key("ends_at", &MembraneSpec::ends_at, standard("[]"), free_text, "walls of the domain (\"left\", \"right\", \"front\", \"back\", \"bottom\", \"top\") that are planes of symmetry at which the surface ends: what lies beyond is cut off, and all forces are those of what is left; slip walls, of at most two axes, both of one or one of each").in(3),
       key("fabric", &MembraneSpec::fabric, {{"isotropic", Fabric::isotropic}, {"yarns", Fabric::yarns}}, standard("\"isotropic\""), "isotropic: a tension field, taut, wrinkled or slack; yarns: warp and weft, which bear tension along themselves only and turn freely against each other").in(3),
       key("poisson_ratio", &MembraneSpec::poisson_ratio, "", standard("0.0"), poisson_range, "nu of the taut cloth").only("fabric=isotropic").in(3),
       key("weft_stiffness", &MembraneSpec::weft_stiffness, "N/m", required, positive, "J of the weft; axial_stiffness is that of the warp").only("fabric=yarns").in(3),
