@@ -34,9 +34,9 @@ void add_picture_options(CLI::App& command, SnapshotArguments& arguments) {
       ->delimiter(',')
       ->expected(4, 6);
   command
-      .add_option(
-          "--cut", arguments.cut,
-          "X,Y, in space: where the front view and the side view are cut [m] (default: middle of the membranes)")
+      .add_option("--cut", arguments.cut,
+                  "X,Y, in space: where the front view and the side view are cut [m] (default: middle of the "
+                  "membranes, or a plane of symmetry at which they end)")
       ->delimiter(',')
       ->expected(2);
   command.add_option("--range", arguments.range, "LOW,HIGH of the field, SI units (default: of the frame)")

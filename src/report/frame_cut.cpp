@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include "geometry/surface_ends.hpp"
 
 namespace geodrop {
 namespace {
@@ -30,6 +33,18 @@ std::vector<Field> picked(const std::vector<Field>& fields, const std::vector<st
   return result;
 }
 
+/// A surface that ends at walls closed there: it has its open edges where it ends along an axis.
+TriangleSurface closed(TriangleSurface surface) {
+  std::vector<SurfaceEnd> ends;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto along = [&](const Corner& x) { return x[static_cast<std::size_t>(axis)]; };
+    const auto [low, high] = std::ranges::minmax(surface.points, {}, along);
+    for (const SurfaceEnd& end : {SurfaceEnd{axis, false, along(low)}, SurfaceEnd{axis, true, along(high)}})
+      if (!open_edges(surface, end).empty()) ends.push_back(end);
+  }
+  return with_fans(std::move(surface), ends);
+}
+
 /// The closed surfaces of membranes.
 std::vector<SurfaceRegion> insides_of(const MembraneSnapshot& triangles) {
   std::map<std::uint32_t, TriangleSurface> surfaces;
@@ -49,7 +64,7 @@ std::vector<SurfaceRegion> insides_of(const MembraneSnapshot& triangles) {
         if (is_new) surface.points.push_back(points[corner]);
         corner = place->second;
       }
-    insides.emplace_back(std::move(surface));
+    insides.emplace_back(closed(std::move(surface)));
   }
   return insides;
 }
@@ -101,6 +116,19 @@ class Crossings {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> node_of_;
 };
 
+/// A plane on which membranes end, as a plane of symmetry, cuts them a little before.
+CutPlane beside_ends(const std::vector<double>& points, CutPlane plane) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = plane.axis; i < points.size(); i += 3) {
+    low = std::min(low, points[i]);
+    high = std::max(high, points[i]);
+  }
+  const double beside = 1e-6 * (high - low);
+  if (std::abs(plane.place - low) < beside) plane.place = low + beside;
+  if (std::abs(plane.place - high) < beside) plane.place = high - beside;
+  return plane;
+}
+
 MembraneSnapshot lines_in(const MembraneSnapshot& triangles, const CutPlane& plane) {
   MembraneSnapshot lines;
   std::vector<std::size_t> cut;
@@ -124,8 +152,9 @@ MembraneSnapshot lines_in(const MembraneSnapshot& triangles, const CutPlane& pla
 Snapshot cut_frame(const Snapshot& frame, const CutPlane& plane, double reach) {
   Snapshot cut;
   cut.t = frame.t;
-  cut.particles = particles_at(frame, plane, reach);
-  cut.membranes = lines_in(frame.membranes, plane);
+  const CutPlane beside = beside_ends(frame.membranes.points, plane);
+  cut.particles = particles_at(frame, beside, reach);
+  cut.membranes = lines_in(frame.membranes, beside);
   cut.rigid = frame.rigid;
   return cut;
 }

@@ -75,7 +75,16 @@ View view_of(const Scene& scene, const Snapshot& snapshot, const Facing& facing,
   return view;
 }
 
-/// Of the membranes, without any of the domain, along x and y; to a tenth of a cell, which titles tell.
+/// The plane of symmetry across an axis at which a membrane ends.
+std::optional<double> plane_of_symmetry(const Scene& scene, int axis) {
+  for (const MembraneSpec& membrane : scene.membranes)
+    if (std::ranges::count(membrane.drawn.ends, axis, &SurfaceEnd::axis) == 1)
+      return std::ranges::find(membrane.drawn.ends, axis, &SurfaceEnd::axis)->place;
+  return {};
+}
+
+/// Of the membranes, without any of the domain, along x and y; to a tenth of a cell, which titles tell. A plane of
+/// symmetry is in the middle of both halves.
 std::array<double, 2> middle_of(const Scene& scene, const Snapshot& snapshot) {
   Extent extent = extent_of(snapshot.membranes.points);
   if (snapshot.membranes.points.empty()) {
@@ -84,8 +93,10 @@ std::array<double, 2> middle_of(const Scene& scene, const Snapshot& snapshot) {
   }
   const double step = 0.1 * scene.grid.spacing;
   std::array<double, 2> middle{};
-  for (std::size_t a = 0; a < 2; ++a)
-    middle[a] = step * std::round(0.5 * (extent.lower[a] + extent.upper[a]) / step) + 0.0;  // no -0
+  for (std::size_t a = 0; a < 2; ++a) {
+    const double between = step * std::round(0.5 * (extent.lower[a] + extent.upper[a]) / step) + 0.0;  // no -0
+    middle[a] = plane_of_symmetry(scene, static_cast<int>(a)).value_or(between);
+  }
   return middle;
 }
 

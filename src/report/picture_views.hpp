@@ -60,7 +60,7 @@ enum class Sight {
 };
 
 /// One view of the plane; of space the side and the front. `cut`: x of the plane of the front, y of that of the side
-/// [m]; empty: the middle of the membranes, without any of the domain.
+/// [m]; empty: the middle of the membranes (a plane of symmetry at which they end), without any of the domain.
 std::vector<View> views_of(const Scene& scene, const Snapshot& snapshot, Sight sight,
                            const std::optional<std::array<double, 2>>& cut);
 

@@ -1,5 +1,6 @@
 // Pictures of scenes in space: what is seen from the side and from the front, and what a cut shows.
 #include "files/read_frames.hpp"
+#include "geometry/surface_ends.hpp"
 #include "geometry/surface_generators.hpp"
 #include "report/frame_cut.hpp"
 #include "report/picture_content.hpp"
@@ -219,6 +220,25 @@ TEST_CASE("A cut shows the particles near its plane, and none that a membrane pa
   CHECK(shown.id == std::vector<std::uint32_t>{0, 2, 4});
   CHECK(shown.fields.at(0).values == std::vector<float>{0, 1, 2, 6, 7, 8, 12, 13, 14});
   CHECK(shown.points == std::vector<double>{0.5, 0.2, 0, 1.2, 0.2, 0, 0.1, -0.25, 0.1});
+}
+
+TEST_CASE(
+    "A membrane that ends at a plane of symmetry is cut there as the whole one would be, and is the middle of a view") {
+  Snapshot frame;
+  frame.membranes = membrane_of(cut_off(octahedron(), {1, false, 0}, 0));
+  frame.particles.points = {0.5, 0.2, 0, 0.9, 0.2, 0, 1.2, 0.2, 0};
+  frame.particles.id = {0, 1, 2};
+  const Snapshot half = cut_frame(frame, {1, 0}, 0.25);
+  check_closed(half.membranes);
+  CHECK(length_of(half.membranes) == near(4 * std::numbers::sqrt2, 1e-5));
+  CHECK(half.particles.id == std::vector<std::uint32_t>{0, 2});
+  frame.membranes = membrane_of(cut_off(octahedron(), {0, true, 0}, 0));  // lines along x leave it by the wall
+  frame.particles.points = {-0.5, 0.2, 0, -0.9, 0.2, 0, -1.2, 0.2, 0};
+  CHECK(cut_frame(frame, {1, 0}, 0.25).particles.id == std::vector<std::uint32_t>{0, 2});
+  Scene scene = scene_in_space();
+  scene.membranes.resize(1);
+  scene.membranes[0].drawn.ends = {{0, true, 0}};
+  CHECK(views_of(scene, frame, Sight::cut, {}).at(1).title == "front view, cut at x = 0 m");
 }
 
 TEST_CASE("Views are cut in the middle of the membranes or where they are asked to be, half a cell to either side") {
