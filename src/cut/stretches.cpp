@@ -118,8 +118,10 @@ std::vector<NodeVector<3>> normals_over(const GridLayout<3>& layout, const Clipp
     const int flat = flat_of(layout, cells, flank.cell);
     Slope<3> spline = flank.spline;
     fold_at_walls(layout, flat, spline);
+    const bool far = far_from_walls<3>(layout, 1, stored_cell(layout, flat));
     for (int n = 0; n < 27; ++n) {
       const auto& [x, y, z] = spline[n];
+      if (!far && x == 0 && y == 0 && z == 0) continue;  // beyond a wall, where no field has a mass
       out.push_back({node_around(layout, flat, n), {h2 * x, h2 * y, h2 * z}});
     }
   }
