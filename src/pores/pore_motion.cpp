@@ -10,7 +10,7 @@ namespace geodrop {
 template <int Dim>
 PoreMotion<Dim>::PoreMotion(Grid<Dim>& grains, Grid<Dim>& water, double dt)
     : dt_(dt),
-      bagged_(grains.outline.size() > 0),
+      bagged_(grains.outline.size() > 0 || (water.field == 0 && !water.taken.empty())),
       grains_{&grains, {}, {}, {}, {}},
       water_{&water, {}, {}, {}, {}},
       number_(water.layout.nodes(), -1) {

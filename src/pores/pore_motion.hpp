@@ -2,7 +2,8 @@
 //
 // An impulse f of the pressure at a node acts as n f on the water and as (1 - n) f on the grains. With the drag of the
 // same step, (m_w + dt c) dv_w - dt c dv_s = n f, (m_s + dt c) dv_s - dt c dv_w = (1 - n) f; cells see n dv_w + (1 - n)
-// dv_s. In a bag nodes of small mass hand on impulses, and have velocities as impulses see them, each field by itself.
+// dv_s. In a bag, and around one, nodes of small mass hand on impulses, and have velocities as impulses see them, each
+// field by itself.
 // Symmetric and positive.
 #pragma once
 
