@@ -81,14 +81,26 @@ void for_each_cut_cell(const ClippedSurface& cells, F&& f) {
   for (const ClippedSurface::Flank& flank : cells.flanks) f(flank.cell);
 }
 
+/// Whether all cells of a box are cells of the domain.
+template <int Dim>
+bool within_domain(const GridLayout<Dim>& layout, const Outline<Dim>& cells) {
+  bool within = true;
+  for (int a = 0; a < Dim; ++a)
+    within =
+        within && cells.first[a] >= layout.pad && cells.first[a] + cells.count[a] <= layout.pad + layout.cells[a] + 1;
+  return within;
+}
+
 /// f(flat) for the cells of the domain that an outline does not cut and that lie inside, or else outside.
 template <int Dim, class F>
 void for_each_uncut(const GridLayout<Dim>& layout, const Outline<Dim>& cells, bool inside, F&& f) {
+  const bool within = within_domain<Dim>(layout, cells);
   std::vector<bool> cut(cells.size(), false);
   for_each_cut_cell(cells, [&](int cell) { cut[cell] = true; });
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (cut[c] || (inside_of(cells)[c] > 0.5) != inside) continue;
-    if (const int flat = flat_of(layout, cells, static_cast<int>(c)); in_domain(layout, flat)) f(flat);
+    const int flat = flat_of(layout, cells, static_cast<int>(c));
+    if (within || in_domain(layout, flat)) f(flat);
   }
 }
 
