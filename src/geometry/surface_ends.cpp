@@ -64,7 +64,7 @@ class Cutter {
   std::uint32_t crossing(const std::pair<std::uint32_t, std::uint32_t>& edge) {
     const auto [place, is_new] = crossing_.emplace(edge, static_cast<std::uint32_t>(surface_.points.size()));
     if (!is_new) return place->second;
-    const auto [from, to] = edge;
+    const std::uint32_t from = edge.first, to = edge.second;
     const double share = height_[from] / (height_[from] - height_[to]);
     const auto between = [&](std::vector<Corner>& points) {
       Corner x = points[from];

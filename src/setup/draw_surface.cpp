@@ -169,7 +169,7 @@ SurfaceFault draw_surface(const GridSpec& grid, const WallsSpec& walls, const st
   constexpr double most_triangles = 2e6, most_moved = 0.3;  // of an edge
   const double edge = finest_spacing(grid) / membrane.segments_per_cell;
   std::vector<SurfaceEnd> ends;
-  if (const SurfaceFault fault = find_ends(grid, walls, membrane, ends); !fault.found.empty()) return fault;
+  if (SurfaceFault fault = find_ends(grid, walls, membrane, ends); !fault.found.empty()) return fault;
   const Extent extent = extent_of(membrane.surface);
   SurfaceFault outside{"a surface that leaves the grid",
                        "a surface inside the grid, or ends_at the walls beyond which it is"};
