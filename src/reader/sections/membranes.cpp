@@ -52,8 +52,8 @@ SectionOf<MembraneSpec> membranes_section() {
   return {
       "[[membranes]]", "name",
       "Tension-only geotextiles. In the plane they lie on the outline of a body, and without stiffness and mass a "
-      "membrane is a skin, which marks the outline that contacts act on. In space they are closed surfaces of "
-      "triangles, glued to what is inside, empty or around a body of shape `inside`.",
+      "membrane is a skin, which marks the outline that contacts act on. In space they are surfaces of "
+      "triangles, closed or up to planes of symmetry, glued to what is inside, empty or around a body of shape `inside`.",
       R"([[membranes]]
 name = "geotextile"
 body = "bag"
