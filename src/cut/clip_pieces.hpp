@@ -1,6 +1,7 @@
 // The pieces of a triangle in the cells of a box, and what the clipping of a surface begins and ends with.
 #pragma once
 
+#include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/grid/grid.hpp>
 #include <geodrop/state/state.hpp>
 
@@ -127,10 +128,17 @@ std::array<double, 3> for_each_fan(const Facet& facet, double size, const Convex
   return share;
 }
 
-/// Number of the plane of a box that is on a wall, by its wall_number.
-inline int plane_on_wall(const GridLayout<3>& layout, const ClippedCells& cells, std::uint32_t wall) {
-  const int axis = static_cast<int>(wall / 2), at_lower = GridLayout<3>::pad - cells.first[axis];
-  return wall % 2 == 1 ? at_lower + layout.cells[axis] + 1 : at_lower;
+/// The end of a surface at a wall, by its wall_number.
+inline SurfaceEnd end_at(const GridLayout<3>& layout, std::uint32_t wall) {
+  const int axis = static_cast<int>(wall / 2);
+  const bool upper = wall % 2 == 1;
+  return {axis, upper, upper ? layout.upper[axis] : layout.lower[axis]};
+}
+
+/// Coordinate of the plane of a box that is on a wall [h].
+inline double& plane_on_wall(const GridLayout<3>& layout, const SurfaceEnd& end, ClippedCells& cells) {
+  const int at_lower = GridLayout<3>::pad - cells.first[end.axis];
+  return cells.plane[static_cast<std::size_t>(end.axis)][end.upper ? at_lower + layout.cells[end.axis] + 1 : at_lower];
 }
 
 /// A box of cells around a membrane with a cell to spare on all sides, with nothing in it.

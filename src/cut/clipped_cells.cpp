@@ -64,10 +64,8 @@ void place_planes(const GridLayout<3>& layout, int axis, ClippedCells& cells) {
 /// A cell at a wall at which the surface ends is the half of it in the domain.
 void end_at_walls(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedCells& cells) {
   for (const std::uint32_t wall : membrane.triangles.open_edge[2]) {
-    const int axis = static_cast<int>(wall / 2);
-    const bool upper = wall % 2 == 1;
-    const double place = upper ? layout.upper[axis] : layout.lower[axis];
-    cells.plane[wall / 2][plane_on_wall(layout, cells, wall)] = in_box(layout, cells, axis, place);
+    const SurfaceEnd end = end_at(layout, wall);
+    plane_on_wall(layout, end, cells) = in_box(layout, cells, end.axis, end.place);
   }
 }
 

@@ -270,11 +270,7 @@ void add_fans(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedC
   const auto& [from, to, walls] = membrane.triangles.open_edge;
   std::vector<RawPiece> pieces;
   std::vector<SurfaceEnd> ends;
-  for (const std::uint32_t wall : walls) {
-    const int axis = static_cast<int>(wall / 2);
-    const bool upper = wall % 2 == 1;
-    ends.push_back({axis, upper, upper ? layout.upper[axis] : layout.lower[axis]});
-  }
+  for (const std::uint32_t wall : walls) ends.push_back(end_at(layout, wall));
   const auto place_of = [&](std::uint32_t node) {
     return Corner{membrane.x[0][node], membrane.x[1][node], membrane.x[2][node]};
   };
@@ -283,7 +279,7 @@ void add_fans(const GridLayout<3>& layout, const Membrane<3>& membrane, ClippedC
     if (!ends[e].upper) continue;
     std::array<Vec<3>, 3> corners{place_in(layout, cells, place_of(to[e])), place_in(layout, cells, place_of(from[e])),
                                   place_in(layout, cells, middle_of_fan(ends, ends[e], place_of(from[first])))};
-    const double beyond = cells.plane[static_cast<std::size_t>(ends[e].axis)][plane_on_wall(layout, cells, walls[e])];
+    const double beyond = plane_on_wall(layout, ends[e], cells);
     for (Vec<3>& x : corners) x[ends[e].axis] = beyond + 0.5;
     add_triangle(0, Facet(corners), cells, pieces);
   }

@@ -108,12 +108,15 @@ TriangleSurface cut_off(TriangleSurface surface, const SurfaceEnd& end, double s
 
 std::vector<SurfaceEdge> open_edges(const TriangleSurface& surface, const SurfaceEnd& end) {
   const auto lies = [&](std::uint32_t k) { return surface.points[k][static_cast<std::size_t>(end.axis)] == end.place; };
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // in the plane
   for (const auto& triangle : surface.triangles)
-    for (std::size_t k = 0; k < 3; ++k) edges.emplace(triangle[k], triangle[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangle[k], to = triangle[(k + 1) % 3];
+      if (lies(from) && lies(to)) edges.emplace(from, to);
+    }
   std::vector<SurfaceEdge> open;
   for (const auto& [from, to] : edges)
-    if (lies(from) && lies(to) && !edges.contains({to, from})) open.push_back({from, to});
+    if (!edges.contains({to, from})) open.push_back({from, to});
   return open;
 }
 
