@@ -315,6 +315,7 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
 
 #define GEODROP_INSTANTIATE(D)                                                       \
   template double light_mass<D>(const Grid<D>&, const std::array<int, D>&);          \
+  template CellRow<D> node_measures<D>(const Grid<D>&, int, std::array<int, D>);     \
   template double node_measure<D>(const Grid<D>&, const std::array<int, D>&);        \
   template Vec4 carried_velocity<D>(const Grid<D>&, int, const std::array<int, D>&); \
   template std::array<bool, D> held_by_walls<D>(const GridLayout<D>&, int);          \

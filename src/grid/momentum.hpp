@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "cell_pressure.hpp"
 #include "neighbourhood.hpp"
 
 namespace geodrop {
@@ -45,7 +46,11 @@ void for_masses_around(const Grid<Dim>& grid, int flat, const std::type_identity
 template <int Dim>
 double light_mass(const Grid<Dim>& grid, const std::array<int, Dim>& node);
 
-/// Integral of a node's spline over the domain [m3], nodes by their stored coordinates.
+/// Integrals of the splines of `count` nodes along x over the domain [m3], from the one with stored coordinates `node`.
+template <int Dim>
+CellRow<Dim> node_measures(const Grid<Dim>& grid, int count, std::array<int, Dim> node);
+
+/// That of one node.
 template <int Dim>
 double node_measure(const Grid<Dim>& grid, const std::array<int, Dim>& node);
 

@@ -18,12 +18,17 @@
 #include "grid/seams.hpp"
 #include "pore_motion.hpp"
 #include "scene/needs.hpp"
+#include "transfer/cell_sums.hpp"
 #include "transfer/slabs.hpp"
 
 namespace geodrop {
 namespace {
 
 constexpr double least_porosity = 0.01;
+
+/// How the permeability goes with the porosity (Kozeny-Carman), and how the drag of Forchheimer does (Ergun).
+double kozeny(double n) { return std::pow(n, 3) / std::pow(1 - n, 2); }
+double ergun(double n) { return (1 - n) / std::pow(n, 3); }
 
 /// Calls f(soil) once for each pair of fields, of a soil and of its water.
 template <class F>
@@ -38,35 +43,65 @@ void for_each_pair(const std::vector<PoreSoil>& soils, F f) {
 
 template <int Dim>
 void sum_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
-  for (std::size_t p = begin; p < end; ++p) {
-    const int cell = cell_at(grid.layout, body.x, p);
-    const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
-    grid.grain_volume[cell] += body.mass[p] / soil.grain_density;
-    grid.drag_resistance[cell] += soil.resistance(n) * body.volume(p);
-  }
-}
-
-template <int Dim>
-void sum_inertial_range(const PoreSoil& soil, const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin,
-                        std::size_t end) {
-  for (std::size_t p = begin; p < end; ++p) {
-    const double n = std::max(least_porosity, soil.porosity_at(body.J[p]));
-    grid.inertial_resistance[cell_at(grid.layout, body.x, p)] += soil.inertial_resistance(n) * body.volume(p);
-  }
-}
-
-/// What a field of cells has at a node: shares of the cells around by their part of the spline.
-template <int Dim>
-double at_node(const Grid<Dim>& grid, const Array<double>& cells, int flat, const std::array<int, Dim>& node) {
-  double sum = 0;
-  for_neighbourhood(grid.layout, flat, [&](int cell, const std::array<int, Dim>& a) {
-    double share = cells[cell];
-    for (int axis = 0; share != 0 && axis < Dim; ++axis) {
-      const int c = node[axis] + a[axis] - 1;
-      const double width = grid.integrals[axis].width[c];
-      share *= width > 0 ? grid.integrals[axis].value[c][2 - a[axis]] / width : 0.0;
+  alignas(64) double grains[chunk_size], volume[chunk_size], n[chunk_size];
+  alignas(64) std::int32_t cell[chunk_size], row[chunk_size];
+  const double density = reference_density(body.material);
+  for (std::size_t p = begin; p < end; p += chunk_size) {
+    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
+    cells_of_chunk(grid.layout, body, p, count, cell, row);
+    for (int k = 0; k < count; ++k) {
+      grains[k] = body.mass[p + k] / soil.grain_density;
+      volume[k] = body.mass[p + k] * body.J[p + k] / density;
+      n[k] = std::max(least_porosity, soil.porosity_at(body.J[p + k]));
     }
-    sum += share;
+    for (int k = 0; k < count; ++k) {
+      grid.grain_volume[cell[k]] += grains[k];
+      grid.drag_resistance[cell[k]] += soil.resistance(n[k]) * volume[k];
+    }
+    if (soil.forchheimer > 0)
+      for (int k = 0; k < count; ++k) grid.inertial_resistance[cell[k]] += soil.inertial_resistance(n[k]) * volume[k];
+  }
+}
+
+/// Parts of the spline of a node that are in the cells below, at and above it along one axis [-].
+template <int Dim>
+std::array<double, 3> parts_of_spline(const Grid<Dim>& grid, int axis, int node) {
+  std::array<double, 3> part{};
+  for (int a = 0; a < 3; ++a) {
+    const int cell = node + a - 1;
+    const double width = grid.integrals[axis].width[cell];
+    if (width > 0) part[a] = grid.integrals[axis].value[cell][2 - a] / width;
+  }
+  return part;
+}
+
+/// Parts of the splines of the nodes of a row.
+template <int Dim>
+struct RowParts {
+  std::array<CellRow<Dim>, 3> along{};                  ///< in the cells before, at and behind each node along x
+  std::array<std::array<double, 3>, Dim - 1> across{};  ///< along the other axes, alike for the whole row
+};
+template <int Dim>
+RowParts<Dim> parts_of_row(const Grid<Dim>& grid, int count, const std::array<int, Dim>& node) {
+  RowParts<Dim> parts;
+  for (int k = 0; k < count; ++k) {
+    const std::array<double, 3> part = parts_of_spline<Dim>(grid, 0, node[0] + k);
+    for (int a = 0; a < 3; ++a) parts.along[a][k] = part[a];
+  }
+  for (int axis = 1; axis < Dim; ++axis) parts.across[axis - 1] = parts_of_spline<Dim>(grid, axis, node[axis]);
+  return parts;
+}
+
+/// What a field of cells has at the nodes of a row: shares of the cells around by their part of the spline.
+template <int Dim>
+CellRow<Dim> at_nodes(const Grid<Dim>& grid, const Array<double>& cells, const RowParts<Dim>& parts, int begin,
+                      int count) {
+  CellRow<Dim> sum{};
+  for_rows_around<Dim>(grid.layout, [&](int offset, int y, int z) {
+    const double* const row = cells.data() + begin + offset;
+    const double of_y = parts.across[0][y], of_z = Dim == 3 ? parts.across[Dim - 2][z] : 1.0;
+    for (int k = 0; k < count; ++k)
+      for (int a = 0; a < 3; ++a) sum[k] += row[k + a - 1] * parts.along[a][k] * of_y * of_z;
   });
   return sum;
 }
@@ -78,11 +113,9 @@ bool beside_membrane(const Grid<Dim>& grid, const Grid<Dim>& around, int flat) {
   return grid.outline.size() > 0 || beside_cut(around, flat);  // all nodes of the content of a bag
 }
 
-/// Share of the room at a node of the water that grains have; beside a membrane the room is what both have.
+/// Share of the room at a node beside a membrane that grains have: the room is what they and the water have.
 template <int Dim>
-double grains_at(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, bool beside, int flat,
-                 const std::array<int, Dim>& node) {
-  if (!beside) return at_node<Dim>(around, around.occupied, flat, node) / node_measure<Dim>(around, node);
+double grains_beside(const Grid<Dim>& grid, const Grid<Dim>& around, double grain_density, int flat) {
   const double grains = grid.sum[flat][3] / grain_density, water = spline_volume(around, flat);
   return grains > 0 ? grains / (grains + water) : 0.0;
 }
@@ -101,14 +134,19 @@ template <int Dim>
 void weigh_nodes(const Grid<Dim>& grid, double grain_density, double porosity, Grid<Dim>& around) {
   const bool bed = grid.outline.size() == 0;
   for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
-    for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
+    const RowParts<Dim> parts = parts_of_row<Dim>(around, count, node);
+    const CellRow<Dim> room = node_measures<Dim>(around, count, node);
+    const CellRow<Dim> occupied = at_nodes<Dim>(around, around.occupied, parts, begin, count);
+    const CellRow<Dim> resistance = at_nodes<Dim>(around, grid.drag_resistance, parts, begin, count);
+    for (int k = 0; k < count; ++k, ++node[0]) {
+      const int flat = begin + k;
       const bool beside = beside_membrane(grid, around, flat);
-      const double grains = grains_at<Dim>(grid, around, grain_density, beside, flat, node);
+      const double grains = beside ? grains_beside(grid, around, grain_density, flat) : occupied[k] / room[k];
       const double n = std::max(0.0, 1 - grains);
       around.pore_share[flat] = n;
       // The flow n w is even where the porosity jumps, hence n^2 of the node, not of the soil: with that of the soil
       // water leaves as if the soil ended half a cell lower.
-      around.node_drag[flat] = grains > 0 ? n * n * at_node<Dim>(around, grid.drag_resistance, flat, node) : 0.0;
+      around.node_drag[flat] = grains > 0 ? n * n * resistance[k] : 0.0;
       if (bed && beside && grains > 0) around.node_drag[flat] *= drag_under_bag(n, porosity);
       const double mass = std::max(grid.sum[flat][3], light_mass<Dim>(grid, node));
       around.grain_lightness[flat] = grid.sum[flat][3] > 0 ? (1 - n) * (1 - n) / mass : 0.0;
@@ -119,10 +157,11 @@ void weigh_nodes(const Grid<Dim>& grid, double grain_density, double porosity, G
 /// Forchheimer's drag at the nodes of the water.
 template <int Dim>
 void weigh_inertial_drag(const Grid<Dim>& grid, Grid<Dim>& around) {
-  for_each_active_real_row(around, [&](int begin, int count, std::array<int, Dim> node) {
-    for (int flat = begin; flat < begin + count; ++flat, ++node[0])
-      around.node_inertial_drag[flat] =
-          std::pow(around.pore_share[flat], 3) * at_node<Dim>(around, grid.inertial_resistance, flat, node);
+  for_each_active_real_row(around, [&](int begin, int count, const std::array<int, Dim>& node) {
+    const RowParts<Dim> parts = parts_of_row<Dim>(around, count, node);
+    const CellRow<Dim> resistance = at_nodes<Dim>(around, grid.inertial_resistance, parts, begin, count);
+    for (int k = 0; k < count; ++k)
+      around.node_inertial_drag[begin + k] = std::pow(around.pore_share[begin + k], 3) * resistance[k];
   });
 }
 
@@ -212,14 +251,12 @@ void mix_velocities(const Grid<Dim>& grid, Grid<Dim>& around) {
 
 double PoreSoil::resistance(double n) const {
   if (law == CoupledSpec::Permeability::constant) return water_unit_weight / conductivity;
-  const auto kozeny = [](double of) { return std::pow(of, 3) / std::pow(1 - of, 2); };
-  return water_unit_weight / (conductivity * kozeny(n) / kozeny(porosity));
+  return water_unit_weight / (conductivity * kozeny(n) / kozeny_at_start);
 }
 
 double PoreSoil::inertial_resistance(double n) const {
   if (law == CoupledSpec::Permeability::constant) return water_unit_weight * forchheimer;
-  const auto ergun = [](double of) { return (1 - of) / std::pow(of, 3); };
-  return water_unit_weight * forchheimer * (ergun(n) / ergun(porosity));
+  return water_unit_weight * forchheimer * (ergun(n) / ergun_at_start);
 }
 
 std::vector<PoreSoil> pore_soils(const Scene& scene) {
@@ -237,7 +274,8 @@ std::vector<PoreSoil> pore_soils(const Scene& scene) {
     const CoupledSpec& pores = *soil.coupled();
     soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
                      pores.porosity, pores.hydraulic_conductivity, pores.permeability,
-                     water_unit_weight(scene, scene.bodies[water]), pores.forchheimer_coefficient});
+                     water_unit_weight(scene, scene.bodies[water]), pores.forchheimer_coefficient,
+                     kozeny(pores.porosity), ergun(pores.porosity)});
   }
   return soils;
 }
@@ -279,8 +317,7 @@ void sum_grains(const std::vector<PoreSoil>& soils, const State<Dim>& state, Gri
     for_each_slab_by_colour(state, grid, [&](const Body<Dim>& body, std::size_t begin, std::size_t end) {
       for (const PoreSoil& soil : soils) {
         if (&body != &state.bodies[soil.body]) continue;
-        sum_range(soil, body, grid, begin, end);
-        if (soil.forchheimer > 0) sum_inertial_range(soil, body, grid, begin, end);
+        with_level([&](auto) { sum_range(soil, body, grid, begin, end); });
       }
     });
     for_each_seam(grid.layout, [&](int axis) {

@@ -36,6 +36,8 @@ struct PoreSoil {
   CoupledSpec::Permeability law{};
   double water_unit_weight = 0;  ///< gamma_w of Darcy's law [N/m3]
   double forchheimer = 0;        ///< b0 [s2/m2]; 0: Darcy's law alone
+  double kozeny_at_start = 0;    ///< n0^3 / (1 - n0)^2 [-]
+  double ergun_at_start = 0;     ///< (1 - n0) / n0^3 [-]
 
   /// n of a particle that has the volume ratio J.
   double porosity_at(double J) const { return 1 - (1 - porosity) / J; }

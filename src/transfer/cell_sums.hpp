@@ -14,6 +14,26 @@ void take_weight_at_middle(const Newtonian& water, const GridLayout<Dim>& layout
   for (int k = 0; k < count; ++k) pressure[k] += water.unit_weight * (y[k] - middle[row[k]]);
 }
 
+/// Cells of `count` particles from p on, and their rows along the last axis.
+template <int Dim>
+[[gnu::always_inline]] inline void cells_of_chunk(const GridLayout<Dim>& layout, const Body<Dim>& body, std::size_t p,
+                                                  int count, std::int32_t* cell, std::int32_t* row) {
+  for (int k = 0; k < count; ++k) cell[k] = 0;
+  for (int a = 0; a < Dim; ++a) {
+    const double* const x = body.x[a].data() + p;
+    const int stride = layout.stride[a];
+    if (layout.graded()) {
+      for (int k = 0; k < count; ++k) cell[k] += (row[k] = layout.knots[a].find_inside(x[k])) * stride;
+      continue;
+    }
+    const double lower = layout.lower[a], inv_h = layout.inv_h;
+    for (int k = 0; k < count; ++k) {
+      row[k] = static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad;
+      cell[k] += row[k] * stride;
+    }
+  }
+}
+
 template <int Dim>
 void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, std::size_t end) {
   alignas(64) double volume[chunk_size], pressure[chunk_size];
@@ -29,20 +49,7 @@ void sum_cells_range(const Body<Dim>& body, Grid<Dim>& grid, std::size_t begin, 
   for (std::size_t p = begin; p < end; p += chunk_size) {
     const int count = static_cast<int>(std::min<std::size_t>(chunk_size, end - p));
     chunk_volumes<Dim>(body, p, count, volume, pressure);
-    for (int k = 0; k < count; ++k) cell[k] = 0;
-    for (int a = 0; a < Dim; ++a) {
-      const double* const x = body.x[a].data() + p;
-      const int stride = layout.stride[a];
-      if (layout.graded()) {
-        for (int k = 0; k < count; ++k) cell[k] += (row[k] = layout.knots[a].find_inside(x[k])) * stride;
-        continue;
-      }
-      const double lower = layout.lower[a], inv_h = layout.inv_h;
-      for (int k = 0; k < count; ++k) {
-        row[k] = static_cast<std::int32_t>(__builtin_floor((x[k] - lower) * inv_h + 0.5)) + GridLayout<Dim>::pad;
-        cell[k] += row[k] * stride;
-      }
-    }
+    cells_of_chunk(layout, body, p, count, cell, row);
     if (water && water->has_still_level())  // rows are those along the last axis here
       take_weight_at_middle(*water, layout, body.x[Dim - 1].data() + p, row, count, pressure);
     for (int k = 0; k < count; ++k) {
