@@ -5,18 +5,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "cell_parts.hpp"
 #include "cell_slopes.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
-#include "grid/blocks.hpp"
 #include "grid/cell_pressure.hpp"
 #include "grid/momentum.hpp"
 #include "grid/part_groups.hpp"
 #include "part_hosts.hpp"
+#include "uncut_cells.hpp"
 #include "wet_cells.hpp"
 
 namespace geodrop {
@@ -44,16 +43,6 @@ void check_walls(const GridLayout<Dim>& layout, const Membrane<Dim>& membrane, c
   }
 }
 
-/// Integral of a node's spline over the plane or space [m2, m3].
-template <int Dim>
-double spline_size(const GridLayout<Dim>& layout, int node) {
-  const std::array<int, Dim> place = stored_cell(layout, node);
-  double size = 1;
-  for (int a = 0; a < Dim; ++a) size *= layout.spline_width(a, place[a] - layout.pad);
-  for (int a = 0; a < Dim; ++a) size *= layout.h;
-  return size;
-}
-
 /// Collects the parts that a field has of cells, at most one for each cell.
 template <int Dim>
 class PartList {
@@ -70,39 +59,6 @@ class PartList {
   Grid<Dim>& grid_;
   std::map<int, std::size_t> place_;
 };
-
-/// The local cell of each piece of an outline, or of each flank of a surface.
-template <class F>
-void for_each_cut_cell(const CutCells& cells, F&& f) {
-  for (const CutCells::Piece& piece : cells.pieces) f(piece.cell);
-}
-template <class F>
-void for_each_cut_cell(const ClippedSurface& cells, F&& f) {
-  for (const ClippedSurface::Flank& flank : cells.flanks) f(flank.cell);
-}
-
-/// Whether all cells of a box are cells of the domain.
-template <int Dim>
-bool within_domain(const GridLayout<Dim>& layout, const Outline<Dim>& cells) {
-  bool within = true;
-  for (int a = 0; a < Dim; ++a)
-    within =
-        within && cells.first[a] >= layout.pad && cells.first[a] + cells.count[a] <= layout.pad + layout.cells[a] + 1;
-  return within;
-}
-
-/// f(flat) for the cells of the domain that an outline does not cut and that lie inside, or else outside.
-template <int Dim, class F>
-void for_each_uncut(const GridLayout<Dim>& layout, const Outline<Dim>& cells, bool inside, F&& f) {
-  const bool within = within_domain<Dim>(layout, cells);
-  std::vector<bool> cut(cells.size(), false);
-  for_each_cut_cell(cells, [&](int cell) { cut[cell] = true; });
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (cut[c] || (inside_of(cells)[c] > 0.5) != inside) continue;
-    const int flat = flat_of(layout, cells, static_cast<int>(c));
-    if (within || in_domain(layout, flat)) f(flat);
-  }
-}
 
 /// Takes what rigid bodies have of cells from the parts of the fluid that they touch.
 template <int Dim>
@@ -148,13 +104,6 @@ void share_pressure(Grid<Dim>& grid) {
       grid.cell_flags[part->flat] |= cell_filled;
     }
   });
-}
-
-/// The field inside a sharp membrane whose cells have its pressure: that of the water, if water flows in the pores.
-template <int Dim>
-Grid<Dim>& pressed_field(const Membrane<Dim>& membrane, Grids<Dim>& grids) {
-  const int water = grids[membrane.field].pore_water;
-  return grids[water < 0 ? membrane.field : water];
 }
 
 /// The fields inside a sharp membrane whose cells have a pressure: that above, and that of a skeleton by itself.
@@ -255,100 +204,6 @@ void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids) {
 }
 
 template <int Dim>
-void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt) {
-  constexpr double evening = 0.1;  // share of the wave speed
-  for (Body<Dim>& body : state.bodies) {
-    const auto* fluid = std::get_if<Newtonian>(&body.material);
-    if (!fluid || body.field == waiting || body.pressure != PressureSupport::cell) continue;
-    const Grid<Dim>& grid = grids[body.field];
-    // Cavities close as they opened, whatever the pressure of the cell.
-    const auto torn = [&](double of_weight) {
-      return fluid->cavitates() ? fluid_volume_ratio(*fluid, -fluid->tension_cutoff - of_weight)
-                                : std::numeric_limits<double>::infinity();
-    };
-    const bool level = fluid->has_still_level();
-    const double torn_anywhere = torn(0);
-    // With an implicit pressure waves may go farther than a cell in a step.
-    constexpr double most = 0.5;
-    const double way = evening * wave_speed(body.material) * dt, share = std::min(most, way * grid.layout.inv_h);
-    const double* const middle_of_row = grid.layout.middle_of_row.data() + GridLayout<Dim>::pad;
-    const auto n = static_cast<std::ptrdiff_t>(body.size());
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t p = 0; p < n; ++p) {
-      const std::array<int, Dim> place = place_of_cell_at(grid.layout, body.x, p);
-      const int cell = grid.layout.index(place);
-      const double whole = level ? torn(fluid->of_weight(body.x[Dim - 1][p])) : torn_anywhere;
-      if (!(grid.cell_flags[cell] & cell_filled) || body.J[p] >= whole) continue;
-      const double of_weight = level ? fluid->of_weight(middle_of_row[place[Dim - 1]]) : 0.0;
-      const double mean = fluid_volume_ratio(*fluid, grid.cell_pressure[cell] - of_weight, body.gas_at(p));
-      const double here = grid.layout.graded() ? std::min(most, way / least_width(grid.layout, cell)) : share;
-      body.J[p] += here * (mean - body.J[p]);
-    }
-  }
-}
-
-namespace {
-
-/// Grains at the nodes of pore water beside a membrane, by their volume: grid/momentum takes 1 - n, as if the splines
-/// were full there.
-template <int Dim>
-void fill_with_grains(Grid<Dim>& water) {
-  const bool around = water.field == 0;
-  for_each_active_real_row(water, [&](int begin, int count, std::array<int, Dim> node) {
-    for (int flat = begin; flat < begin + count; ++flat, ++node[0]) {
-      const double n = water.pore_share[flat];
-      if (!(n > 0 && n < 1) || (around && !beside_cut(water, flat))) continue;
-      const double grains = spline_volume(water, flat) * (1 - n) / n;
-      water.velocity[flat][3] += grains / node_measure<Dim>(water, node) - (1 - n);
-    }
-  });
-}
-
-}  // namespace
-
-namespace {
-
-/// How often what a cell has counts at a node: on a wall that the cell is off, with the image beyond.
-template <int Dim>
-int with_images(const GridLayout<Dim>& layout, const std::array<int, Dim>& from, int flat) {
-  const std::array<int, Dim> place = stored_cell(layout, flat);
-  int counts = 1;
-  for (int a = 0; a < Dim; ++a)
-    if (on_wall(layout, a, place[a]) && from[a] != place[a]) counts *= 2;
-  return counts;
-}
-
-}  // namespace
-
-template <int Dim>
-void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids) {
-  const GridLayout<Dim>& layout = grids.front().layout;
-  bool at_walls = false;
-  const auto fill = [&](Grid<Dim>& grid, int flat, const SplineVolumes<Dim>& value) {
-    const std::array<int, Dim> cell = stored_cell(layout, flat);
-    const bool far = far_from_walls<Dim>(layout, 1, cell);
-    at_walls = at_walls || !far;
-    for (int n = 0; n < nodes_around<Dim>; ++n) {
-      const int node = node_around(layout, flat, n), counts = far ? 1 : with_images<Dim>(layout, cell, node);
-      grid.velocity[node][3] += counts * value[n] / spline_size(layout, node);
-    }
-  };
-  for (Grid<Dim>& grid : grids)
-    for (const PartCell<Dim>& part : grid.part_cells) fill(grid, part.flat, part.elsewhere);
-  if (Grid<Dim>& around = grids.front(); !around.pore_share.empty()) fill_with_grains(around);
-  for (const Membrane<Dim>& membrane : state.membranes) {
-    if (!acts_sharply(membrane)) continue;
-    if (Grid<Dim>& pressed = pressed_field(membrane, grids); !pressed.pore_share.empty()) fill_with_grains(pressed);
-    for (const bool inside : {true, false})
-      for_each_uncut(layout, grids[membrane.field].outline, inside, [&](int flat) {
-        fill(inside ? grids.front() : pressed_field(membrane, grids), flat, whole_value(spans_of(layout, flat)));
-      });
-  }
-  for (Grid<Dim>& grid : grids)  // nothing shifts through a wall: the ratio beyond it is its mirror image
-    if (at_walls) impose_wall_velocity(grid);
-}
-
-template <int Dim>
 void for_each_interface_force(const Grid<Dim>& grid, const ForceAtNode<Dim>& f) {
   for (const PartCell<Dim>& part : grid.part_cells) {
     const Slope<Dim> whole = slopes_in_domain(grid.layout, part.flat);
@@ -397,8 +252,6 @@ void update_interface_rates(Grids<Dim>& grids) {
 #define GEODROP_INSTANTIATE(D)                                                   \
   template void cut_interface_cells(const State<D>&, Grids<D>&);                 \
   template void share_interface_pressure(const State<D>&, Grids<D>&);            \
-  template void even_out_volumes(State<D>&, const Grids<D>&, double);            \
-  template void fill_other_sides(const State<D>&, Grids<D>&);                    \
   template void for_each_interface_force(const Grid<D>&, const ForceAtNode<D>&); \
   template void add_interface_force(Grids<D>&, double);                          \
   template void update_interface_rates(Grids<D>&);

@@ -31,17 +31,6 @@ void cut_interface_cells(const State<Dim>& state, Grids<Dim>& grids);
 template <int Dim>
 void share_interface_pressure(const State<Dim>& state, Grids<Dim>& grids);
 
-/// Volume ratios of the particles of fluids near their cell's mean, at a share of the wave speed; the volume of each
-/// cell stays. No force does that: cells know means only, and what strays from them is carried along and turns up
-/// elsewhere as noise of the pressure.
-template <int Dim>
-void even_out_volumes(State<Dim>& state, const Grids<Dim>& grids, double dt);
-
-/// Adds to the fill ratios of nodes what lies on the other side: particles shift away from crowds and into voids beside
-/// the membrane as elsewhere, and keep their distance from it.
-template <int Dim>
-void fill_other_sides(const State<Dim>& state, Grids<Dim>& grids);
-
 template <int Dim>
 using ForceAtNode = std::type_identity_t<std::function<void(int, const std::array<double, Dim>&)>>;
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "even_out_volumes.hpp"
 #include "interface_cells.hpp"
 #include "interface_constraint.hpp"
 #include "keep_sides.hpp"
 #include "limit_unseen.hpp"
 #include "model_drag.hpp"
+#include "other_sides.hpp"
 #include "rigid_parts.hpp"
 #include "seep.hpp"
 

@@ -26,10 +26,6 @@ namespace {
 
 constexpr double least_porosity = 0.01;
 
-/// How the permeability goes with the porosity (Kozeny-Carman), and how the drag of Forchheimer does (Ergun).
-double kozeny(double n) { return std::pow(n, 3) / std::pow(1 - n, 2); }
-double ergun(double n) { return (1 - n) / std::pow(n, 3); }
-
 /// Calls f(soil) once for each pair of fields, of a soil and of its water.
 template <class F>
 void for_each_pair(const std::vector<PoreSoil>& soils, F f) {
@@ -274,8 +270,7 @@ std::vector<PoreSoil> pore_soils(const Scene& scene) {
     const CoupledSpec& pores = *soil.coupled();
     soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
                      pores.porosity, pores.hydraulic_conductivity, pores.permeability,
-                     water_unit_weight(scene, scene.bodies[water]), pores.forchheimer_coefficient,
-                     kozeny(pores.porosity), ergun(pores.porosity)});
+                     water_unit_weight(scene, scene.bodies[water]), pores.forchheimer_coefficient});
   }
   return soils;
 }

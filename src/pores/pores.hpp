@@ -20,6 +20,7 @@
 #include <geodrop/scene/scene.hpp>
 #include <geodrop/state/state.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -36,8 +37,11 @@ struct PoreSoil {
   CoupledSpec::Permeability law{};
   double water_unit_weight = 0;  ///< gamma_w of Darcy's law [N/m3]
   double forchheimer = 0;        ///< b0 [s2/m2]; 0: Darcy's law alone
-  double kozeny_at_start = 0;    ///< n0^3 / (1 - n0)^2 [-]
-  double ergun_at_start = 0;     ///< (1 - n0) / n0^3 [-]
+  double kozeny_at_start = kozeny(porosity), ergun_at_start = ergun(porosity);
+
+  /// How the conductivity goes with the porosity (Kozeny-Carman), and how Forchheimer's drag does (Ergun) [-].
+  static double kozeny(double n) { return std::pow(n, 3) / std::pow(1 - n, 2); }
+  static double ergun(double n) { return (1 - n) / std::pow(n, 3); }
 
   /// n of a particle that has the volume ratio J.
   double porosity_at(double J) const { return 1 - (1 - porosity) / J; }

@@ -4,6 +4,7 @@
 #include <geodrop/geometry/shapes.hpp>
 #include <geodrop/geometry/triangle_surface.hpp>
 #include <geodrop/grid/graded_axis.hpp>
+#include <geodrop/scene/wall_names.hpp>
 
 #include <algorithm>
 #include <array>
@@ -83,22 +84,21 @@ bool leaves(const GridSpec& grid, const std::vector<SurfaceEnd>& ends, const Pla
 /// The walls at which a membrane ends, in the order of their numbers; a mistake in them.
 SurfaceFault find_ends(const GridSpec& grid, const WallsSpec& walls, const MembraneSpec& membrane,
                        std::vector<SurfaceEnd>& ends) {
-  constexpr std::array<const char*, 6> names{"left", "right", "front", "back", "bottom", "top"};
   const std::string allowed = "\"left\", \"right\", \"front\", \"back\", \"bottom\" or \"top\", each once";
-  std::array<bool, 6> there{};
+  std::array<bool, wall_names.size()> there{};
   for (const std::string& name : membrane.ends_at) {
-    const auto wall = std::ranges::find(names, name) - names.begin();
-    if (wall == std::ssize(names)) return {"the wall \"" + name + '"', allowed, ".ends_at"};
+    const auto wall = std::ranges::find(wall_names, name) - wall_names.begin();
+    if (wall == std::ssize(wall_names)) return {"the wall \"" + name + '"', allowed, ".ends_at"};
     if (there[static_cast<std::size_t>(wall)]) return {'"' + name + "\" twice", allowed, ".ends_at"};
     there[static_cast<std::size_t>(wall)] = true;
   }
   std::size_t axes = 0;
-  for (std::size_t wall = 0; wall < names.size(); ++wall) {
+  for (std::size_t wall = 0; wall < wall_names.size(); ++wall) {
     if (!there[wall]) continue;
     const std::size_t axis = wall / 2;
     const bool upper = wall % 2 == 1;
     if ((upper ? walls.upper : walls.lower)[axis] != WallKind::slip)
-      return {std::string("the wall \"") + names[wall] + "\", which is no slip wall", "walls of kind \"slip\"",
+      return {std::string("the wall \"") + wall_names[wall] + "\", which is no slip wall", "walls of kind \"slip\"",
               ".ends_at"};
     if (ends.empty() || ends.back().axis != static_cast<int>(axis)) ++axes;
     ends.push_back({static_cast<int>(axis), upper, (upper ? grid.upper : grid.lower)[axis]});

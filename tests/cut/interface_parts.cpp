@@ -4,7 +4,9 @@
 #include <geodrop/base/error.hpp>
 
 #include "cut/cell_slopes.hpp"
+#include "cut/even_out_volumes.hpp"
 #include "cut/interface_cells.hpp"
+#include "cut/other_sides.hpp"
 #include "support/near.hpp"
 #include "support/sharp_box.hpp"
 

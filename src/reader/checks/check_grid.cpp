@@ -1,11 +1,13 @@
 // Checks of the grid, of the transfers that its basis allows, and of the walls.
 #include "check_scene.hpp"
 
-#include "grid/seams.hpp"
-#include "setup/allowed_spacing.hpp"
+#include <geodrop/scene/wall_names.hpp>
 
 #include <algorithm>
 #include <cmath>
+
+#include "grid/seams.hpp"
+#include "setup/allowed_spacing.hpp"
 
 namespace geodrop {
 namespace {
@@ -121,13 +123,12 @@ void check_grid(const Scene& scene, Report& report) {
 
 /// Periodic walls come in pairs.
 void check_walls(const Scene& scene, Report& report) {
-  constexpr const char* kWalls[][2] = {{"left", "right"}, {"front", "back"}, {"bottom", "top"}};
   if (!report.healthy("walls") || !report.healthy("dimension")) return;
   for (std::size_t axis = 0; axis < scene.walls.lower.size(); ++axis) {
     const bool lower = scene.walls.lower[axis] == WallKind::periodic;
     const bool upper = scene.walls.upper[axis] == WallKind::periodic;
-    const auto& pair = kWalls[axis + 1 == scene.walls.lower.size() ? 2 : axis];  // the last axis is the vertical one
-    const std::string here = pair[lower ? 0 : 1], opposite = pair[lower ? 1 : 0], key = "walls." + here;
+    const auto name = [&](bool above) { return std::string(wall_name(axis, above, scene.walls.lower.size())); };
+    const std::string here = name(!lower), opposite = name(lower), key = "walls." + here;
     if (!lower && !upper) continue;
     if (lower != upper)
       report.add(key, "\"periodic\", while " + opposite + " is not",
