@@ -30,19 +30,45 @@ ClothState yarn_state(const Membrane<3>& membrane, const Eigen::Matrix2d& c) {
   return state;
 }
 
+/// Tensions along and across of the principal stretches, and the energy.
+struct Principal {
+  double along = 0, across = 0, energy = 0;
+};
+
+Principal linear_field(double J, double nu, double e, double e_across) {
+  const double taut = J / (1 - nu * nu);
+  const bool wrinkled = e_across <= -nu * e;
+  Principal out;
+  out.along = wrinkled ? J * e : taut * (e + nu * e_across);
+  out.across = wrinkled ? 0.0 : taut * (e_across + nu * e);
+  out.energy = 0.5 * (out.along * e + out.across * e_across);
+  return out;
+}
+
+Principal rubber_field(double J, double along, double across) {
+  const double natural = 1 / std::sqrt(along);  // width of a strip
+  const double width = std::max(across, natural), thinned = 1 / (along * along * width * width);
+  Principal out;
+  out.along = J / 3 * (along - thinned / along);
+  out.across = across <= natural ? 0.0 : J / 3 * (across - thinned / across);
+  out.energy = J / 6 * (along * along + width * width + thinned - 3);
+  return out;
+}
+
 ClothState tension_field(const Membrane<3>& membrane, const Eigen::Matrix2d& c) {
   const double mean = 0.5 * (c(0, 0) + c(1, 1)), half = 0.5 * (c(0, 0) - c(1, 1)), shear = c(0, 1);
   const double radius = std::hypot(half, shear);
   const double along = std::sqrt(mean + radius), across = std::sqrt(std::max(0.0, mean - radius));
-  const double e = along - 1, e_across = across - 1, J = membrane.axial_stiffness;
-  const double nu = membrane.triangles.poisson_ratio, taut = J / (1 - nu * nu);
   ClothState state;
-  state.strain = e;
-  if (e <= 0) return state;
-  const bool wrinkled = e_across <= -nu * e;
-  state.tension = wrinkled ? J * e : taut * (e + nu * e_across);
-  state.cross_tension = wrinkled ? 0.0 : taut * (e_across + nu * e);
-  state.energy = 0.5 * (state.tension * e + state.cross_tension * e_across);
+  state.strain = along - 1;
+  if (state.strain <= 0) return state;
+  const double J = membrane.axial_stiffness;
+  const Principal principal = membrane.triangles.fabric == Fabric::rubber
+                                  ? rubber_field(J, along, across)
+                                  : linear_field(J, membrane.triangles.poisson_ratio, state.strain, across - 1);
+  state.tension = principal.along;
+  state.cross_tension = principal.across;
+  state.energy = principal.energy;
   const double first = over(state.tension, along), second = over(state.cross_tension, across);
   state.stress.diagonal().setConstant(0.5 * (first + second));
   if (radius == 0) return state;

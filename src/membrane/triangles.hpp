@@ -6,8 +6,13 @@
 //               slack, e_1 <= 0:            W = 0
 //               wrinkled, e_2 <= -nu e_1:   W = J e_1^2 / 2
 //               taut:                       W = J (e_1^2 + e_2^2 + 2 nu e_1 e_2) / (2 (1 - nu^2))
+//   rubber      incompressible and neo-Hookean (Treloar 1943), relaxed likewise; J its stiffness in uniaxial tension:
+//               slack, l_1 <= 1:                W = 0
+//               wrinkled, l_2 <= l_1^(-1/2):    W = J (l_1^2 + 2 / l_1 - 3) / 6
+//               taut:                           W = J (l_1^2 + l_2^2 + 1 / (l_1 l_2)^2 - 3) / 6
 //
-// Both are convex in the stretches and have a continuous tension T = dW/dl, per width at rest as a strip test gives it.
+// All have a continuous tension T = dW/dl, per width at rest as a strip test gives it; the first two are convex in the
+// stretches.
 #pragma once
 
 #include <geodrop/state/state.hpp>

@@ -228,7 +228,7 @@ Membrane<3> build_surface(const Scene& scene, const MembraneSpec& spec, const St
   membrane.strength = spec.strength;
   membrane.half_size = 0.5 / spec.segments_per_cell;
   membrane.triangles.fabric = spec.fabric;
-  membrane.triangles.poisson_ratio = spec.poisson_ratio;
+  membrane.triangles.poisson_ratio = spec.fabric == Fabric::rubber ? 0.5 : spec.poisson_ratio;
   membrane.triangles.weft_stiffness = spec.weft_stiffness;
   membrane.triangles.weft_strength = spec.weft_strength;
   membrane.triangles.mass_per_area = spec.mass_per_area;

@@ -91,6 +91,32 @@ TEST_CASE("Isotropic cloth is taut, wrinkled or slack") {
   }
 }
 
+TEST_CASE("Rubber is taut, wrinkled or slack, and as stiff in a strip as it says") {
+  const Membrane<3> membrane = cloth(Fabric::rubber, 3000);
+  for (const double angle : {0.0, 0.4, 2.0}) {
+    CAPTURE(angle);
+    // 1000 (2 - 1 / (8 1.5^2)), 1000 (1.5 - 1 / (4 1.5^3)), 500 (4 + 2.25 + 1/9 - 3).
+    const ClothState taut = cloth_state(membrane, square_of(2.0, 1.5, angle));
+    CHECK(taut.tension == near(1944.4444444444444, 1e-12));
+    CHECK(taut.cross_tension == near(1425.925925925926, 1e-12));
+    CHECK(taut.energy == near(1680.5555555555556, 1e-12));
+    // Narrower than 2^(-1/2): 1000 (2 - 1/4), 500 (4 + 1 - 3).
+    const ClothState wrinkled = cloth_state(membrane, square_of(2.0, 0.5, angle));
+    CHECK(wrinkled.tension == near(1750.0, 1e-12));
+    CHECK(wrinkled.cross_tension == 0);
+    CHECK(wrinkled.energy == near(1000.0, 1e-12));
+    const ClothState slack = cloth_state(membrane, square_of(0.999, 0.9, angle));
+    CHECK(slack.energy == 0);
+    CHECK(slack.stress.norm() == 0);
+    const double edge = 1 / std::sqrt(1.2), step = 1e-9;
+    const ClothState before = cloth_state(membrane, square_of(1.2, edge + step, angle));
+    const ClothState after = cloth_state(membrane, square_of(1.2, edge - step, angle));
+    CHECK(before.energy == near(after.energy, 1e-9));
+    CHECK((before.stress - after.stress).norm() < 1e-4);
+  }
+  CHECK(cloth_state(membrane, square_of(1 + 1e-6, 0.5, 0)).tension == near(3000 * 1e-6, 1e-5));
+}
+
 TEST_CASE("Yarns bear tension along themselves alone") {
   const Membrane<3> membrane = cloth(Fabric::yarns, 1000);
   Eigen::Matrix2d c;
@@ -105,7 +131,7 @@ TEST_CASE("Yarns bear tension along themselves alone") {
 }
 
 TEST_CASE("Stress is twice the derivative of the energy by C") {
-  for (const Fabric fabric : {Fabric::isotropic, Fabric::yarns})
+  for (const Fabric fabric : {Fabric::isotropic, Fabric::rubber, Fabric::yarns})
     for (const double across : {1.03, 0.97, 0.9}) {
       const Membrane<3> membrane = cloth(fabric, 1000, 0.3);
       const Eigen::Matrix2d c = square_of(1.06, across, 0.7);
@@ -123,7 +149,7 @@ TEST_CASE("Stress is twice the derivative of the energy by C") {
 }
 
 TEST_CASE("Forces of triangles are less the derivative of their energy, and turn nothing") {
-  for (const Fabric fabric : {Fabric::isotropic, Fabric::yarns}) {
+  for (const Fabric fabric : {Fabric::isotropic, Fabric::rubber, Fabric::yarns}) {
     Membrane<3> membrane = hinge(fabric);
     CHECK(cloth_energy(membrane) == near_zero(1e-20));
     stretch(membrane);

@@ -94,7 +94,8 @@ using SurfaceSpec = std::variant<std::monostate, EllipsoidSurface, CapsuleSurfac
 /// What a membrane in space is made of.
 enum class Fabric {
   isotropic,  ///< a tension field: taut, wrinkled or slack
-  yarns       ///< two families of yarns, warp and weft
+  yarns,      ///< two families of yarns, warp and weft
+  rubber      ///< a tension field of an incompressible neo-Hookean sheet
 };
 
 /// Follows from the surface of a membrane; equal as those are.

@@ -83,7 +83,7 @@ struct MembraneTriangles {};
 template <>
 struct MembraneTriangles<3> {
   Fabric fabric = Fabric::isotropic;
-  double poisson_ratio = 0;                      ///< of an isotropic one [-]
+  double poisson_ratio = 0;                      ///< of one that is not of yarns [-]
   double weft_stiffness = 0, weft_strength = 0;  ///< of yarns [N/m]
   double mass_per_area = 0;                      ///< [kg/m2]
   double gauge_pressure = 0;                     ///< inside over outside [Pa]
