@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cells_around.hpp"
 #include "grid/neighbourhood.hpp"
 
 namespace geodrop {

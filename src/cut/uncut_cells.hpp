@@ -9,6 +9,7 @@
 #include "cells_around.hpp"
 #include "clipped_cells.hpp"
 #include "cut_cells.hpp"
+#include "wet_cells.hpp"
 
 namespace geodrop {
 

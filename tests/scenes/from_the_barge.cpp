@@ -1,4 +1,4 @@
-// Containers that leave a barge, and that land on others.
+// Containers that leave a barge.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -35,28 +35,4 @@ TEST_CASE(
   CHECK(run.result("width_m") > 5.2);
   CHECK(std::abs(run.result("residual_head_m") - 12) < 1.5);  // still water at its middle: some 11 m
   CHECK(run.result("strays_m2") == 0);
-}
-
-namespace {
-
-/// Of a second container on the first one.
-void check_stack(const std::string& scene, double least_between_centres) {
-  CAPTURE(scene);
-  const SceneRun run(scene, {"grid.spacing=0.5", "time.end=5"});
-  REQUIRE(run.outcome().code == 0);
-  CHECK(run.result("time_to_touch_s") > 1.5);
-  const double first = run.column("first.position_y_m").back(), second = run.column("second.position_y_m").back();
-  CHECK(second - first > least_between_centres);
-  CHECK(std::abs(run.column("second.velocity_y_m_s").back()) < 0.5);
-  CHECK(run.result("strays_m2") == 0);
-}
-
-}  // namespace
-
-TEST_CASE("A second container lands on the first one and lies on it") {
-  check_stack("tests/scenes/second_undrained.toml", 1);
-}
-
-TEST_CASE("So does one with pore water, flatter, on one with pore water") {
-  check_stack("cases/dump_second_underwater.toml", 0.9);
 }
