@@ -4,7 +4,7 @@
 #include <geodrop/step/run.hpp>
 
 #include "initial_state.hpp"
-#include "pores/pores.hpp"
+#include "pores/pore_soils.hpp"
 #include "setup/memory_estimate.hpp"
 #include "solutions/initial_stress.hpp"
 #include "stable_dt.hpp"

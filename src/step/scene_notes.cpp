@@ -2,7 +2,7 @@
 #include <geodrop/geometry/shapes.hpp>
 #include <geodrop/step/run.hpp>
 
-#include "pores/pores.hpp"
+#include "pores/pore_soils.hpp"
 #include "scene/needs.hpp"
 #include "solutions/initial_stress.hpp"
 

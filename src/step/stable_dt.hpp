@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <map>
 
-#include "pores/pores.hpp"
+#include "pores/pore_soils.hpp"
 
 namespace geodrop {
 
