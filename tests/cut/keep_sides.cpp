@@ -117,6 +117,13 @@ TEST_CASE("On fine cells the distance is a thousandth of the finest") {
   check_at(kept(0, 2.9, 4, Sense::anticlockwise, 0.25), 2.75 - 0.25 * off, 4);
 }
 
+TEST_CASE("Nobody is put back beyond a wall that the membrane leans on") {
+  OneParticle box(0, 5.6, 4);
+  for (Grid<2>& grid : box.grids) grid.layout.upper[0] = 5.8 + off / 2;
+  keep_sides(box.state, box.grids, dt);
+  check_at(vector_at(box.body.x, 0), 5.8 + off / 2, 4);
+}
+
 TEST_CASE("A membrane that waits to be placed moves nobody") {
   SharpBox box;
   box.skin().field = waiting;
