@@ -251,11 +251,11 @@ int field_of(const State<Dim>& state, const Membrane<Dim>& membrane) {
   return membrane.body.empty() ? 0 : find_named(state.bodies, membrane.body).field;
 }
 
-/// The body with the particle nearest to x.
+/// The body with the particle nearest to x; null in a scene of membranes alone.
 template <int Dim>
-const Body<Dim>& body_at(const State<Dim>& state, const std::array<double, Dim>& x) {
+const Body<Dim>* body_at(const State<Dim>& state, const std::array<double, Dim>& x) {
   double nearest = std::numeric_limits<double>::infinity();
-  const Body<Dim>* found = &state.bodies.front();
+  const Body<Dim>* found = nullptr;
   const Vec<Dim> at(x.data());
   for (const Body<Dim>& body : state.bodies)
     for (std::size_t p = 0; p < body.size(); ++p)
@@ -263,7 +263,7 @@ const Body<Dim>& body_at(const State<Dim>& state, const std::array<double, Dim>&
         nearest = distance;
         found = &body;
       }
-  return *found;
+  return found;
 }
 
 template <int Dim, class Wanted>
@@ -386,9 +386,10 @@ State<Dim> build_state(const Scene& scene, const State<Dim>* earlier) {
     Tracer<Dim> t{tracer->name, {}, {}, {}};
     std::copy_n(tracer->position.begin(), Dim, t.x.begin());
     t.initial_x = t.x;
-    const Body<Dim>& body = body_at<Dim>(state, t.x);
-    t.field = body.field;
-    t.body = body.name;
+    if (const Body<Dim>* const body = body_at<Dim>(state, t.x)) {
+      t.field = body->field;
+      t.body = body->name;
+    }
     state.tracers.push_back(t);
   }
   for (const Body<Dim>& body : state.bodies)
