@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "cut_probe.hpp"
 #include "exact_probe.hpp"
 #include "extremes_probe.hpp"
 #include "front_probe.hpp"
@@ -19,7 +20,7 @@ namespace geodrop {
 
 struct ProbeSpec {
   std::variant<TracerSpec, HydrostaticProbeSpec, ExactProbeSpec, GeotubeProbeSpec, SectionProbeSpec, SpanProbeSpec,
-               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec, PatchProbeSpec, RegionProbeSpec>
+               StressProbeSpec, FrontProbeSpec, ExtremesProbeSpec, PatchProbeSpec, RegionProbeSpec, CutProbeSpec>
       probe;
   SourceRef at;
   bool operator==(const ProbeSpec&) const = default;
