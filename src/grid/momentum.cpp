@@ -180,9 +180,9 @@ bool filled_around(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& 
   return filled;
 }
 
-/// Room that sharp membranes leave to what is around them over the volume of its particles, means over the cells in
-/// reach of a node with the shares of the spline in them [-], if particles fill all of that; else 0. Not the room that
-/// the spline sees over what it sees of the particles: how it lies in a cut cell hangs on more than its size.
+/// Room that sharp membranes leave to what is around them over the volume of its particles, means over the
+/// cells in reach of a node with the shares of the spline in them [-], if particles fill all of that; else 0. Not the
+/// room that the spline sees over what it sees of the particles: how it lies in a cut cell hangs on more than its size.
 template <int Dim>
 double room_at_membrane(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
   constexpr double all = 0.98;  // of a cell: what is left is too little for particles
@@ -247,7 +247,7 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
       grid.cell_pressure.empty() ? RowForce<Dim>{} : cell_pressure_force<Dim>(grid, begin, count, node);
   const CellRow<Dim> fill = fill_ratios<Dim>(grid, begin, count, node);
   const bool separate = !grid.force.empty(), pores = !grid.pore_share.empty(), at_rigid = !grid.room_mass.empty();
-  const bool around = grid.field == 0 && !grid.taken.empty();
+  const bool around = grid.field == 0 && !grid.taken.empty() && !pores;
   for (int k = 0; k < count; ++k, ++node[0]) {
     Vec4 impulse{};
     for (int a = 0; a < Dim; ++a) impulse[a] = force[a][k];
