@@ -180,31 +180,6 @@ bool filled_around(const Grid<Dim>& grid, int flat, const std::array<int, Dim>& 
   return filled;
 }
 
-/// Room that sharp membranes leave to what is around them over the volume of its particles, means over the
-/// cells in reach of a node with the shares of the spline in them [-], if particles fill all of that; else 0. Not the
-/// room that the spline sees over what it sees of the particles: how it lies in a cut cell hangs on more than its size.
-template <int Dim>
-double room_at_membrane(const Grid<Dim>& grid, const std::array<int, Dim>& node) {
-  constexpr double all = 0.98;  // of a cell: what is left is too little for particles
-  bool filled = true;
-  double room = 0, volume = 0;
-  for_neighbourhood(grid.layout, 0, [&](int, const std::array<int, Dim>& a) {
-    const int cell = mirrored<Dim>(grid.layout, node, a);
-    filled = filled && ((grid.cell_flags[cell] & cell_filled) || grid.taken[cell] > all);
-    double mean = 1, measure = 1;  // of the spline over the cell
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto& integrals = grid.integrals[axis];
-      const int along = node[axis] + a[axis] - 1;
-      if (!(integrals.width[along] > 0)) return;  // beyond a wall
-      mean *= integrals.value[along][2 - a[axis]] / integrals.width[along];
-      measure *= integrals.width[along] * grid.layout.h;
-    }
-    room += mean * (1 - grid.taken[cell]) * measure;
-    volume += mean * grid.cell_volume[cell];
-  });
-  return filled && volume > 0 ? room / volume : 0.0;
-}
-
 /// Velocity of one node from its sums and `impulse` [N s], the cell pressure's and, if separate, the stresses'.
 template <int Dim>
 void update_node(Grid<Dim>& grid, int flat, const std::array<int, Dim>& node, const Vec4& impulse,
@@ -247,23 +222,16 @@ void update_row(Grid<Dim>& grid, int begin, int count, std::array<int, Dim> node
       grid.cell_pressure.empty() ? RowForce<Dim>{} : cell_pressure_force<Dim>(grid, begin, count, node);
   const CellRow<Dim> fill = fill_ratios<Dim>(grid, begin, count, node);
   const bool separate = !grid.force.empty(), pores = !grid.pore_share.empty(), at_rigid = !grid.room_mass.empty();
-  const bool around = grid.field == 0 && !grid.taken.empty() && !pores;
   for (int k = 0; k < count; ++k, ++node[0]) {
     Vec4 impulse{};
     for (int a = 0; a < Dim; ++a) impulse[a] = force[a][k];
     if (pores) impulse *= grid.pore_share[begin + k];
     if (separate) impulse += grid.force[begin + k];
     MomentumStep here = step;
-    impulse *= step.dt;
     // The force of cell pressures knows the volume only, so the weight of that is what it balances.
-    if (step.weight == Weight::cell && fill[k] > 0) {
-      if (filled_around<Dim>(grid, begin + k, node)) {
-        here.gravity /= fill[k];
-      } else if (const double room = around ? room_at_membrane<Dim>(grid, node) : 0.0; room > 0) {
-        impulse += grid.sum[begin + k][3] * room * step.gravity;
-        here.gravity = Vec4{};
-      }
-    }
+    if (step.weight == Weight::cell && fill[k] > 0 && filled_around<Dim>(grid, begin + k, node))
+      here.gravity /= fill[k];
+    impulse *= step.dt;
     // Pressure and weight of a node in the surface cancel before the node of small mass hands them on.
     if (at_rigid && grid.room_mass[begin + k] > 0) {
       impulse += grid.room_mass[begin + k] * step.gravity;

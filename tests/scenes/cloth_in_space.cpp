@@ -62,7 +62,8 @@ TEST_CASE("A geotube in space stands on its ground with the weight of its conten
 
 TEST_CASE("A point of a cloth without bodies is followed") {
   // The strip hangs by 13 mm between its rails in the end.
-  const SceneRun run("cases/verification/wrinkled_strip_3d.toml", with(no_verdict, {"grid.spacing=0.25", "time.end=0.1"}));
+  const SceneRun run("cases/verification/wrinkled_strip_3d.toml",
+                     with(no_verdict, {"grid.spacing=0.25", "time.end=0.1"}));
   CHECK(run.outcome().code == 0);
   CHECK(run.column("halfway.displacement_x_m").back() > 0.005);
 }
