@@ -13,6 +13,7 @@
 #include "geometry/polygon.hpp"
 #include "grid/neighbourhood.hpp"
 #include "grid/point_support.hpp"
+#include "grid/within_walls.hpp"
 #include "near_triangles.hpp"
 #include "right_side.hpp"
 #include "wet_cells.hpp"
@@ -191,13 +192,6 @@ Catch<Dim> put_back(const Grids<Dim>& grids, const Membrane<Dim>& membrane, cons
 template <int Dim>
 using Near = std::conditional_t<Dim == 2, NearEdges, NearTriangles>;
 
-/// Where a surface ends at a wall its normal leans through it by a little.
-template <int Dim>
-void stay_within_walls(const GridLayout<Dim>& layout, Vec<Dim>& x) {
-  for (int a = 0; a < Dim; ++a)
-    if (!layout.periodic(a)) x[a] = std::clamp(x[a], layout.lower[a], layout.upper[a]);
-}
-
 /// A sharp membrane, and where it is.
 template <int Dim>
 struct Keeper {
@@ -216,7 +210,8 @@ struct Keeper {
     const Grid<Dim>& own = around ? grids.front() : grids[body.field];
     if (!box.may_hold(body.x, p) || own.taken[cell_at(own.layout, body.x, p)] <= 0) return {};
     std::optional<RightSide<Dim>> side = surface.on_side(vector_at(body.x, p), !around);
-    if (side) stay_within_walls(own.layout, side->to);
+    // Where a surface ends at a wall its normal leans through it by a little.
+    for (int a = 0; a < Dim && side; ++a) side->to[a] = within_walls(own.layout, a, side->to[a]);
     return side;
   }
 

@@ -6,6 +6,7 @@
 
 #include "base/fixed_order_sum.hpp"
 #include "neighbourhood.hpp"
+#include "within_walls.hpp"
 
 namespace geodrop {
 namespace {
@@ -231,8 +232,7 @@ void move_particle(const GridLayout<Dim>& layout, const std::array<double, Dim>&
   std::array<double, Dim> dx;
   for (int a = 0; a < Dim; ++a) {
     const double x = body.x[a][p];
-    double to = x + dq[a] * width(layout, a, layout.base(a, layout.wrapped(a, x)));
-    if (!layout.periodic(a)) to = std::clamp(to, layout.lower[a], layout.upper[a]);
+    const double to = within_walls(layout, a, x + dq[a] * width(layout, a, layout.base(a, layout.wrapped(a, x))));
     dx[a] = to - x;
     body.x[a][p] = to;
   }

@@ -1,7 +1,6 @@
 #include "cut_probe.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -29,20 +28,16 @@ bool crossings(const std::array<Vec<3>, 3>& corner, const std::array<double, 3>&
 
 Cut cut_membrane(const Membrane<3>& membrane, const Vec<3>& point, const Vec<3>& normal, double width) {
   Cut cut;
+  const std::array<Array<double>, 3> force = triangle_forces(membrane);
+  for (std::size_t k = 0; k < membrane.nodes(); ++k) {
+    const double share = std::clamp(normal.dot(vector_at(membrane.x, k) - point) / width + 0.5, 0.0, 1.0);
+    cut.force -= share * vector_at(force, k);
+  }
   Vec<3> moment = Vec<3>::Zero();
   for (std::size_t t = 0; t < membrane.triangles.size(); ++t) {
     const std::array<Vec<3>, 3> corner = corners_of(membrane, t);
-    std::array<double, 3> height, share;
-    for (int k = 0; k < 3; ++k) {
-      height[k] = normal.dot(corner[k] - point);
-      share[k] = std::clamp(height[k] / width + 0.5, 0.0, 1.0);
-    }
-    if (share[0] != share[1] || share[0] != share[2]) {
-      const Eigen::Matrix<double, 3, 2> F = deformation(membrane, t);
-      const Eigen::Vector2d along(share[1] - share[0], share[2] - share[0]);
-      const Eigen::Vector2d slope = rest_edges(membrane, t).transpose().inverse() * along;
-      cut.force += membrane.triangles.rest_area[t] * F * cloth_state(membrane, F.transpose() * F).stress * slope;
-    }
+    std::array<double, 3> height;
+    for (int k = 0; k < 3; ++k) height[k] = normal.dot(corner[k] - point);
     std::array<Vec<3>, 2> ends;
     if (!crossings(corner, height, ends)) continue;
     cut.girth += (ends[1] - ends[0]).norm();

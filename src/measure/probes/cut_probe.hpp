@@ -34,16 +34,15 @@ struct CutProbeSpec {
   }
   void check(const ProbeCheck& probe) const {
     probe.membrane(membrane);
-    if (probe.report.healthy("dimension") && probe.scene.dimension != 3)
-      probe.report.add(probe.key + ".type", "\"cut\" in the plane", "cuts in three dimensions");
-    else if (probe.report.healthy(probe.key) && Vec<3>(normal.data()).norm() == 0)
+    probe.space(word, "cuts");
+    if (probe.report.healthy(probe.key) && normal.size() == 3 && Vec<3>(normal.data()).norm() == 0)
       probe.report.add(probe.key + ".normal", to_text(normal), "a direction");
   }
   void list(HistoryRow& row, const Scene& scene, const State<3>* state) const;
 };
 
-/// The section of a membrane by a plane. The force is that of virtual work, sum A P grad w, with w from 0 to 1 across
-/// the slab: what the forces on the nodes balance, to round-off.
+/// The section of a membrane by a plane. The force is that of virtual work, less the sum of w f over the forces of the
+/// triangles on the nodes, with w from 0 to 1 across the slab.
 struct Cut {
   Vec<3> force = Vec<3>::Zero();   ///< of the cloth ahead on the cloth behind [N]
   double girth = 0;                ///< length of the cut now [m]

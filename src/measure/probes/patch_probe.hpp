@@ -24,8 +24,7 @@ struct PatchProbeSpec {
   }
   void check(const ProbeCheck& probe) const {
     probe.membrane(membrane);
-    if (probe.report.healthy("dimension") && probe.scene.dimension != 3)
-      probe.report.add(probe.key + ".type", "\"patch\" in the plane", "patches in three dimensions");
+    probe.space(word, "patches");
   }
   void list(HistoryRow& row, const Scene& scene, const State<3>* state) const;
 };

@@ -40,6 +40,11 @@ struct ProbeCheck {
     if (report.healthy("dimension") && scene.dimension != 2)
       report.add(key + ".type", '"' + word + "\" in space", word + "s in two dimensions");
   }
+  /// For probes of space.
+  void space(const std::string& word, const std::string& words) const {
+    if (report.healthy("dimension") && scene.dimension != 3)
+      report.add(key + ".type", '"' + word + "\" in the plane", words + " in three dimensions");
+  }
 };
 
 }  // namespace geodrop
