@@ -70,4 +70,8 @@ template <int Dim>
 System system_of(const NodeRows<Dim>& E, const ByPlace<Dim>& by_place, const Drag& drag,
                  const Eigen::VectorXd& velocity_rate);
 
+/// Its rate alone.
+template <int Dim>
+Eigen::VectorXd rate_of(const NodeRows<Dim>& E, const Drag& drag, const Eigen::VectorXd& velocity_rate);
+
 }  // namespace geodrop

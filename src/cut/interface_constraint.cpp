@@ -12,6 +12,7 @@
 #include "contact_rows.hpp"
 #include "grid/momentum.hpp"
 #include "interface_friction.hpp"
+#include "mass_at_membranes.hpp"
 #include "traction_solver.hpp"
 
 namespace geodrop {
@@ -125,9 +126,31 @@ std::pair<Eigen::VectorXd, std::vector<bool>> at_knots(const SparseRows& transpo
   return {guess, only_pushes};
 }
 
+/// What meets at the membranes, and what moves it: rows, and the velocities that they act on.
+template <int Dim>
+struct JoinedRows {
+  const Rows<Dim>& rows;
+  const NodeRows<Dim>& E;
+  const ByPlace<Dim>& by_place;
+  const Drag& drag;
+};
+
+/// The velocities that `traction` gave once more, with the consistent mass beside membranes, and the tractions of all
+/// that.
+template <int Dim>
+Solution join_again(const State<Dim>& state, const JoinedRows<Dim>& joined, double dt, System& system,
+                    const std::vector<bool>& only_pushes, const Eigen::VectorXd& traction, Grids<Dim>& grids) {
+  const Eigen::VectorXd lumped = joined.rows.scaled_velocities();
+  correct_mass_at_membranes(state, grids);
+  system.rate += rate_of(joined.E, joined.drag, (joined.rows.scaled_velocities() - lumped) / dt);
+  Solution again = solve_tractions<Dim>(system, only_pushes, traction);
+  apply_pressures(joined.rows, joined.by_place, Eigen::VectorXd(again.traction - traction), dt, grids);
+  return again;
+}
+
 /// One normal velocity, and one velocity where the fluid sticks; anchors hold. False if they were not found.
 template <int Dim>
-bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
+bool join(const State<Dim>& state, double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   auto& [contacts, said, held] = joint;
   ContactRows<Dim> rows(grids);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -155,8 +178,14 @@ bool join(double dt, Joint<Dim>& joint, Grids<Dim>& grids) {
   if (flow.nonZeros() > 0) system.S += SparseRows(to_knots * flow * basis);
   add_laws(held, dt, system.S, system.rate);
   const auto [guess, only_pushes] = at_knots(to_knots, last);
-  const auto [traction, converged] = solve_tractions<Dim>(system, only_pushes, guess);
+  auto [traction, converged] = solve_tractions<Dim>(system, only_pushes, guess);
   apply_pressures(rows.rows(), by_place, traction, dt, grids);
+  if (!grids.front().mass_correction.empty()) {
+    const Solution again =
+        join_again(state, {rows.rows(), E, by_place, drag}, dt, system, only_pushes, traction, grids);
+    traction = again.traction;
+    converged = converged && again.converged;
+  }
   store(rows, Eigen::VectorXd(basis * traction), grids, contacts);
   if (!held.empty()) keep_forces(held, dt, traction, Eigen::VectorXd(system.rate - system.S * traction));
   return converged;
@@ -198,7 +227,7 @@ void join_interfaces(State<Dim>& state, Grids<Dim>& grids, double dt, std::vecto
   find_knots(state, grids, knots, joint.contacts);
   const auto last = tractions_along(joint.contacts, grids);
   joint.said = rows_of(grids, joint.contacts);
-  count_solution(join(dt, joint, grids), state.t, state.constraint_watch);
+  count_solution(join(state, dt, joint, grids), state.t, state.constraint_watch);
   rub(dt, joint.said, joint.contacts, grids, last);
   check_tractions(state);
   for (Grid<Dim>& grid : grids) impose_wall_velocity(grid);

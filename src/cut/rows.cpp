@@ -78,9 +78,10 @@ Row<Dim> interface_force_row(const Scene& scene) {
 template <int Dim>
 Row<Dim> join_interfaces_row(const Scene& scene) {
   return {"join_interfaces",
-          Data::cut_cells | Data::cell_volume | Data::cell_pressure | Data::nodal_sums | Data::membranes |
-              Data::membrane_position | Data::membrane_cloth | Data::pore_space | Data::anchors | Data::contacts,
-          Data::nodal_velocity | Data::velocity_change | Data::water_traction | Data::anchors,
+          Data::cut_cells | Data::cell_volume | Data::cell_pressure | Data::nodal_sums | Data::active_blocks |
+              Data::position | Data::mass | Data::membranes | Data::membrane_position | Data::membrane_cloth |
+              Data::pore_space | Data::anchors | Data::contacts,
+          Data::nodal_velocity | Data::velocity_change | Data::mass_correction | Data::water_traction | Data::anchors,
           has_sharp_interface(scene),
           [knots = std::vector<ClothKnots>()](State<Dim>& s, Grids<Dim>& f, const StepContext& step) mutable {
             join_interfaces(s, f, step.dt, knots);

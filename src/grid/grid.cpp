@@ -168,7 +168,7 @@ Grid<Dim> make_grid(const Scene& scene, int field) {
   grid.layout = GridLayout<Dim>(scene.grid, scene.walls);
   const std::size_t n = grid.layout.nodes();
   const auto any_body = [&](auto has) { return std::any_of(bodies.begin(), bodies.end(), has); };
-  const bool consistent = scene.solver.mass_matrix == MassMatrix::consistent;
+  const bool consistent = scene.solver.mass_matrix != MassMatrix::lumped;
   const bool change = scene.solver.transfer != Transfer::tpic || consistent ||
                       scene.relaxation.damping != RelaxationSpec::Damping::none;
   const bool shift = any_body([](const BodySpec& b) { return b.shift; });

@@ -285,6 +285,11 @@ Vec4 carried_velocity(const Grid<Dim>& grid, int flat, const std::array<int, Dim
 }
 
 template <int Dim>
+void fold_walls(const Grid<Dim>& grid, Array<Vec4>& field) {
+  fold_field(grid, field);
+}
+
+template <int Dim>
 void fold_walls(Grid<Dim>& grid) {
   for_each_array<grid_role::folded>(grid, [&](auto& values) { fold_field(grid, values); });
 }
@@ -321,6 +326,7 @@ void update_momentum(Grid<Dim>& grid, const std::array<double, Dim>& gravity, do
   template std::array<bool, D> held_by_walls<D>(const GridLayout<D>&, int);          \
   template void impose_wall_velocity<D>(Grid<D>&);                                   \
   template void fold_walls<D>(Grid<D>&);                                             \
+  template void fold_walls<D>(const Grid<D>&, Array<Vec4>&);                         \
   template void update_momentum<D>(Grid<D>&, const std::array<double, D>&, double, Weight);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -66,6 +66,10 @@ double spline_volume(const Grid<Dim>& grid, int flat) {
 template <int Dim>
 void fold_walls(Grid<Dim>& grid);
 
+/// Likewise of one sum of vectors over particles.
+template <int Dim>
+void fold_walls(const Grid<Dim>& grid, Array<Vec4>& field);
+
 /// v' = v + dt (f / m + g) with the cell pressure's force added; zero normal (no-slip: whole) velocity on walls; mirror
 /// images in the ghost layer. Nodes with less mass than Grid::light_mass take only the part m / light_mass of their
 /// impulse (with TPIC, where stresses joined the momentum: of the cell pressure's impulse) and hand the rest, as one

@@ -52,6 +52,13 @@ TEST_CASE("Consistent mass matrix, particles shed, MUSL: one hash for 1, 2, 3 an
   check_threads("cases/sloshing.toml", musl);
 }
 
+TEST_CASE("Consistent mass beside a sharp membrane: one hash for 1, 2, 3 and 5 threads") {
+  check_threads("cases/ellipse_release.toml",
+                {"grid.spacing=0.25", "solver.mass_matrix=consistent_at_membranes", "time.end=0.01"});
+  check_threads("cases/verification/sphere_release_3d.toml",
+                {"grid.spacing=0.5", "solver.mass_matrix=consistent_at_membranes", "time.end=0.002"});
+}
+
 TEST_CASE("Shifting water: one hash for 1, 2, 3 and 5 threads") {
   // Finer than the case, so that there are enough particles for threads to be used at all.
   check_threads("cases/hydrostatic_column.toml", {"grid.spacing=0.125", "time.end=0.5"});

@@ -31,6 +31,17 @@ TEST_CASE("A sharp interface needs cells that are knot spans, their pressure on 
   CHECK(bag.find(key + "with nothing around") != std::string::npos);
 }
 
+TEST_CASE("The consistent mass matrix is that beside membranes with a sharp one, and only then") {
+  check_refused({"solver.mass_matrix=consistent"},
+                "solver.mass_matrix: found \"consistent\" with a sharp membrane, whose rows are of the lumped mass; "
+                "allowed: \"lumped\" or \"consistent_at_membranes\"");
+  CHECK(scene_error(source_path("cases/ellipse_release.toml"), {"solver.mass_matrix=consistent_at_membranes"}).empty());
+  const std::string none =
+      scene_error(source_path("cases/sloshing.toml"), {"solver.mass_matrix=consistent_at_membranes"});
+  CHECK(none.find("without a membrane with interface = \"sharp\"; allowed: \"lumped\" or \"consistent\"") !=
+        std::string::npos);
+}
+
 TEST_CASE("Nothing but air may be around where water flows out into it") {
   const std::string scene = source_path("cases/verification/seepage_into_air.toml");
   CHECK(scene_error(scene).empty());

@@ -15,8 +15,8 @@ enum class WallKind { slip, no_slip, periodic };
 enum class Transfer { tpic, blend, musl };
 /// What gravity pulls at where fluid fills all cells around a node: the particles there, or the volume of the cells.
 enum class Weight { particle, cell };
-/// consistent: two terms of the series for the inverse, see grid/mass_correction.
-enum class MassMatrix { lumped, consistent };
+/// Two terms of the series for the inverse of the consistent one: see grid/mass_correction and cut/mass_at_membranes.
+enum class MassMatrix { lumped, consistent, consistent_at_membranes };
 
 /// Finer cells along one axis between `from` and `to`, growing to the spacing of the grid on both sides.
 struct RefineSpec {

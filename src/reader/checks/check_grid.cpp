@@ -111,6 +111,12 @@ void check_transfer(const Scene& scene, Report& report) {
   if (scene.solver.mass_matrix == MassMatrix::consistent && basis != Basis::bspline2 && basis != Basis::linear)
     report.add("solver.mass_matrix", "\"consistent\" on a basis whose lumping has no constant stencil",
                "\"lumped\", or grid.basis = \"bspline2\" or \"linear\"");
+  if (scene.solver.mass_matrix == MassMatrix::consistent && has_sharp_interface(scene))
+    report.add("solver.mass_matrix", "\"consistent\" with a sharp membrane, whose rows are of the lumped mass",
+               "\"lumped\" or \"consistent_at_membranes\"");
+  if (scene.solver.mass_matrix == MassMatrix::consistent_at_membranes && !has_sharp_interface(scene))
+    report.add("solver.mass_matrix", "\"consistent_at_membranes\" without a membrane with interface = \"sharp\"",
+               "\"lumped\" or \"consistent\"");
 }
 
 }  // namespace
