@@ -98,10 +98,10 @@ TEST_CASE("Sharp interface in space: stopped and resumed, the same") {
 }
 
 TEST_CASE("Consistent mass beside a sharp membrane: stopped and resumed on other threads, the same") {
-  check_resumed("cases/verification/sphere_release_3d.toml",
-                {"grid.spacing=0.5", "solver.mass_matrix=consistent_at_membranes", "bodies.water.jitter=0.2",
-                 "time.end=0.006"},
-                "0.002");
+  check_resumed(
+      "cases/verification/sphere_release_3d.toml",
+      {"grid.spacing=0.5", "solver.mass_matrix=consistent_at_membranes", "bodies.water.jitter=0.2", "time.end=0.006"},
+      "0.002");
 }
 
 TEST_CASE("Sharp interface in space on graded axes: stopped and resumed on other threads, the same") {
