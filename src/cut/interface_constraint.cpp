@@ -126,25 +126,27 @@ std::pair<Eigen::VectorXd, std::vector<bool>> at_knots(const SparseRows& transpo
   return {guess, only_pushes};
 }
 
-/// What meets at the membranes, and what moves it: rows, and the velocities that they act on.
+/// Rows at the knots, of a step.
 template <int Dim>
-struct JoinedRows {
+struct KnotRows {
   const Rows<Dim>& rows;
   const NodeRows<Dim>& E;
   const ByPlace<Dim>& by_place;
   const Drag& drag;
+  const std::vector<bool>& only_pushes;
+  double dt;
 };
 
 /// The velocities that `traction` gave once more, with the consistent mass beside membranes, and the tractions of all
 /// that.
 template <int Dim>
-Solution join_again(const State<Dim>& state, const JoinedRows<Dim>& joined, double dt, System& system,
-                    const std::vector<bool>& only_pushes, const Eigen::VectorXd& traction, Grids<Dim>& grids) {
-  const Eigen::VectorXd lumped = joined.rows.scaled_velocities();
+Solution join_again(const State<Dim>& state, const KnotRows<Dim>& knots, System& system,
+                    const Eigen::VectorXd& traction, Grids<Dim>& grids) {
+  const Eigen::VectorXd lumped = knots.rows.scaled_velocities();
   correct_mass_at_membranes(state, grids);
-  system.rate += rate_of(joined.E, joined.drag, (joined.rows.scaled_velocities() - lumped) / dt);
-  Solution again = solve_tractions<Dim>(system, only_pushes, traction);
-  apply_pressures(joined.rows, joined.by_place, Eigen::VectorXd(again.traction - traction), dt, grids);
+  system.rate += rate_of(knots.E, knots.drag, (knots.rows.scaled_velocities() - lumped) / knots.dt);
+  Solution again = solve_tractions<Dim>(system, knots.only_pushes, traction);
+  apply_pressures(knots.rows, knots.by_place, Eigen::VectorXd(again.traction - traction), knots.dt, grids);
   return again;
 }
 
@@ -181,8 +183,8 @@ bool join(const State<Dim>& state, double dt, Joint<Dim>& joint, Grids<Dim>& gri
   auto [traction, converged] = solve_tractions<Dim>(system, only_pushes, guess);
   apply_pressures(rows.rows(), by_place, traction, dt, grids);
   if (!grids.front().mass_correction.empty()) {
-    const Solution again =
-        join_again(state, {rows.rows(), E, by_place, drag}, dt, system, only_pushes, traction, grids);
+    const KnotRows<Dim> knots{rows.rows(), E, by_place, drag, only_pushes, dt};
+    const Solution again = join_again(state, knots, system, traction, grids);
     traction = again.traction;
     converged = converged && again.converged;
   }
