@@ -195,6 +195,8 @@ void RandomScene::draw_block(const std::string& name, const Pair& centre, double
   const bool bag = !periodic_ && chance(0.45), enclosed = enclosed_ && name == "block";
   const bool sharp = bag && !enclosed_ && immersed_ && basis_ == "bspline2" && transfer_ != "musl" && chance(0.5);
   if (name == "block") sharp_ = sharp;
+  if (const std::size_t mass = head_.find("\"consistent\""); sharp_ && mass != std::string::npos)
+    head_.replace(mass, 12, "\"consistent_at_membranes\"");
   Matter matter = draw_matter(name, enclosed);
   if (enclosed) matter.pressure = "enclosed";
   draw_body(name, enclosed || chance(0.4) ? draw_ellipse(centre, size) : draw_polygon(centre, size), matter);
