@@ -83,15 +83,7 @@ void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const 
 }
 
 template <int Dim>
-Eigen::VectorXd rate_of(const NodeRows<Dim>& E, const Drag& drag, const Eigen::VectorXd& velocity_rate) {
-  return drag.empty() ? times(E, velocity_rate) : times(times(E, drag), velocity_rate);
-}
-
-template <int Dim>
-System system_of(const NodeRows<Dim>& E, const ByPlace<Dim>& by_place, const Drag& drag,
-                 const Eigen::VectorXd& velocity_rate) {
-  if (drag.empty()) return {symmetric_product(E, by_place), rate_of(E, drag, velocity_rate)};
-  const NodeRows<Dim> dragged = times(E, drag);
+System system_of(const NodeRows<Dim>& dragged, const ByPlace<Dim>& by_place, const Eigen::VectorXd& velocity_rate) {
   return {symmetric_product(dragged, by_place), times(dragged, velocity_rate)};
 }
 
@@ -99,9 +91,7 @@ template std::vector<RowsOfContact<2>> rows_of(const Grids<2>&, const std::vecto
 template std::vector<RowsOfContact<3>> rows_of(const Grids<3>&, const std::vector<Contact<3>>&);
 template void store(const ContactRows<2>&, const Eigen::VectorXd&, const Grids<2>&, std::vector<Contact<2>>&);
 template void store(const ContactRows<3>&, const Eigen::VectorXd&, const Grids<3>&, std::vector<Contact<3>>&);
-template Eigen::VectorXd rate_of(const NodeRows<2>&, const Drag&, const Eigen::VectorXd&);
-template Eigen::VectorXd rate_of(const NodeRows<3>&, const Drag&, const Eigen::VectorXd&);
-template System system_of(const NodeRows<2>&, const ByPlace<2>&, const Drag&, const Eigen::VectorXd&);
-template System system_of(const NodeRows<3>&, const ByPlace<3>&, const Drag&, const Eigen::VectorXd&);
+template System system_of(const NodeRows<2>&, const ByPlace<2>&, const Eigen::VectorXd&);
+template System system_of(const NodeRows<3>&, const ByPlace<3>&, const Eigen::VectorXd&);
 
 }  // namespace geodrop

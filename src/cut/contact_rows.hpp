@@ -64,14 +64,9 @@ template <int Dim>
 void store(const ContactRows<Dim>& rows, const Eigen::VectorXd& traction, const Grids<Dim>& grids,
            std::vector<Contact<Dim>>& contacts);
 
-/// The system of rows E, without the flow through the membrane. Drag is that of pores/pores, which follows: the rows
-/// ask for velocities after it. by_place: E. velocity_rate: M^1/2 v / dt.
+/// The system of rows E, without the flow through the membrane. dragged: E K, K the drag of pores/pores, which follows:
+/// the rows ask for velocities after it; E itself where nothing drags. by_place: E. velocity_rate: M^1/2 v / dt.
 template <int Dim>
-System system_of(const NodeRows<Dim>& E, const ByPlace<Dim>& by_place, const Drag& drag,
-                 const Eigen::VectorXd& velocity_rate);
-
-/// Its rate alone.
-template <int Dim>
-Eigen::VectorXd rate_of(const NodeRows<Dim>& E, const Drag& drag, const Eigen::VectorXd& velocity_rate);
+System system_of(const NodeRows<Dim>& dragged, const ByPlace<Dim>& by_place, const Eigen::VectorXd& velocity_rate);
 
 }  // namespace geodrop

@@ -130,9 +130,8 @@ std::pair<Eigen::VectorXd, std::vector<bool>> at_knots(const SparseRows& transpo
 template <int Dim>
 struct KnotRows {
   const Rows<Dim>& rows;
-  const NodeRows<Dim>& E;
+  const NodeRows<Dim>& dragged;  ///< E K, see system_of
   const ByPlace<Dim>& by_place;
-  const Drag& drag;
   const std::vector<bool>& only_pushes;
   double dt;
 };
@@ -144,7 +143,7 @@ Solution join_again(const State<Dim>& state, const KnotRows<Dim>& knots, System&
                     const Eigen::VectorXd& traction, Grids<Dim>& grids) {
   const Eigen::VectorXd lumped = knots.rows.scaled_velocities();
   correct_mass_at_membranes(state, grids);
-  system.rate += rate_of(knots.E, knots.drag, (knots.rows.scaled_velocities() - lumped) / knots.dt);
+  system.rate += times(knots.dragged, Eigen::VectorXd((knots.rows.scaled_velocities() - lumped) / knots.dt));
   Solution again = solve_tractions<Dim>(system, knots.only_pushes, traction);
   apply_pressures(knots.rows, knots.by_place, Eigen::VectorXd(again.traction - traction), knots.dt, grids);
   return again;
@@ -172,9 +171,10 @@ bool join(const State<Dim>& state, double dt, Joint<Dim>& joint, Grids<Dim>& gri
   if (last.second.empty()) return true;
   const SparseRows basis = traction_basis(contacts, grids, rows.list(), held.size()), to_knots = basis.transpose();
   const Drag drag = rows.rows().drag(dt);
-  const NodeRows<Dim> E = times(to_knots, rows.rows().matrix());
+  NodeRows<Dim> E = times(to_knots, rows.rows().matrix());
   const ByPlace<Dim> by_place(E);
-  System system = system_of(E, by_place, drag, rows.rows().scaled_velocities() / dt);
+  if (!drag.empty()) E = times(E, drag);
+  System system = system_of(E, by_place, rows.rows().scaled_velocities() / dt);
   system.rate -= to_knots * room_to_close(rows, contacts, dt, held.size());
   const SparseRows flow = flow_through(rows, contacts, dt, basis.rows());
   if (flow.nonZeros() > 0) system.S += SparseRows(to_knots * flow * basis);
@@ -183,7 +183,7 @@ bool join(const State<Dim>& state, double dt, Joint<Dim>& joint, Grids<Dim>& gri
   auto [traction, converged] = solve_tractions<Dim>(system, only_pushes, guess);
   apply_pressures(rows.rows(), by_place, traction, dt, grids);
   if (!grids.front().mass_correction.empty()) {
-    const KnotRows<Dim> knots{rows.rows(), E, by_place, drag, only_pushes, dt};
+    const KnotRows<Dim> knots{rows.rows(), E, by_place, only_pushes, dt};
     const Solution again = join_again(state, knots, system, traction, grids);
     traction = again.traction;
     converged = converged && again.converged;

@@ -68,9 +68,10 @@ void rub(double dt, const std::vector<RowsOfContact<Dim>>& said, std::vector<Con
       for (const Says says : tangents<Dim>()) rows.add(along(contacts[c], says, said[c].rubbed(contacts[c])), c, says);
   if (rows.list().empty()) return;
   const Drag drag = rows.rows().drag(dt);
-  const NodeRows<Dim> T = rows.rows().matrix();
+  NodeRows<Dim> T = rows.rows().matrix();
   const ByPlace<Dim> by_place(T);
-  const auto [S, slip_rate] = system_of(T, by_place, drag, rows.rows().scaled_velocities() / dt);
+  if (!drag.empty()) T = times(T, drag);
+  const auto [S, slip_rate] = system_of(T, by_place, rows.rows().scaled_velocities() / dt);
   const Eigen::VectorXd slip = dt * slip_rate;
   Eigen::VectorXd guess(S.rows());
   std::vector<double> most(rows.list().size() / ways);

@@ -32,16 +32,12 @@ template <int Dim>
 void scatter_difference(const Body<Dim>& body, std::size_t p, const std::vector<std::uint8_t>& beside,
                         Grid<Dim>& grid) {
   const GridLayout<Dim>& layout = grid.layout;
-  std::array<double, Dim> x;
+  const std::array<double, Dim> x = place_at(body.x, p);
   std::array<int, Dim> cell;
-  for (int a = 0; a < Dim; ++a) {
-    x[a] = body.x[a][p];
-    cell[a] = layout.base(a, x[a]);
-  }
+  for (int a = 0; a < Dim; ++a) cell[a] = layout.base(a, x[a]);
   if (!beside[layout.index(cell)]) return;
   const PointSupport<Dim> nodes(layout, x, body.half_size);
-  Vec4 here{};
-  nodes.for_each_node(layout, [&](int node, double weight) { here += weight * grid.velocity_change[node]; });
+  const Vec4 here = interpolate(layout, nodes, grid.velocity_change);
   nodes.for_each_node(layout, [&](int node, double weight) {
     grid.mass_correction[node] += weight * body.mass[p] * (grid.velocity_change[node] - here);
   });
@@ -66,7 +62,6 @@ void correct_field(const State<Dim>& state, const std::vector<std::uint8_t>& bes
       }
     }
   });
-  impose_wall_velocity(grid);
 }
 
 }  // namespace

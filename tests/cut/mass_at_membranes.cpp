@@ -11,6 +11,7 @@
 
 #include "grid/blocks.hpp"
 #include "grid/momentum.hpp"
+#include "grid/neighbourhood.hpp"
 #include "grid/point_support.hpp"
 #include "support/near.hpp"
 #include "support/program.hpp"
@@ -50,11 +51,9 @@ struct BeforeJoin {
   }
 
   static std::array<double, Dim> place(const GridLayout<Dim>& layout, int flat) {
+    const std::array<int, Dim> node = stored_cell(layout, flat);
     std::array<double, Dim> x;
-    for (int a = Dim - 1; a >= 0; --a) {
-      x[a] = layout.node(a, flat / layout.stride[a] - GridLayout<Dim>::pad);
-      flat %= layout.stride[a];
-    }
+    for (int a = 0; a < Dim; ++a) x[a] = layout.node(a, node[a] - GridLayout<Dim>::pad);
     return x;
   }
 };
@@ -70,8 +69,7 @@ std::vector<Held<Dim>> held_by_nodes(const State<Dim>& state, const Grid<Dim>& g
   std::vector<Held<Dim>> out(static_cast<std::size_t>(grid.layout.nodes()));
   for (const Body<Dim>& body : state.bodies)
     for (std::size_t p = 0; body.field == grid.field && p < body.size(); ++p) {
-      std::array<double, Dim> x;
-      for (int a = 0; a < Dim; ++a) x[a] = body.x[a][p];
+      const std::array<double, Dim> x = place_at(body.x, p);
       PointSupport<Dim>(grid.layout, x, 0).for_each_node(grid.layout, [&](int node, double weight) {
         out[node].mass += weight * body.mass[p];
         for (int a = 0; a < Dim; ++a) out[node].moment[a] += weight * body.mass[p] * x[a];

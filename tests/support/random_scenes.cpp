@@ -6,8 +6,10 @@
 namespace geodrop::test {
 
 std::string RandomScene::text() const {
-  std::string all = "title = \"Random\"\n" + head_ + "[time]\nend = 10.0\n[output]\nframe_interval = 1.0\n" +
-                    "history_interval = 1.0\n" + walls_ + zone_;
+  const std::string mass = sharp_ && !mass_matrix_.empty() ? mass_matrix_ + "_at_membranes" : mass_matrix_;
+  std::string all = "title = \"Random\"\n" + head_ + (mass.empty() ? "" : "mass_matrix = \"" + mass + "\"\n") + grid_ +
+                    "[time]\nend = 10.0\n[output]\nframe_interval = 1.0\n" + "history_interval = 1.0\n" + walls_ +
+                    zone_;
   for (Tables tables : {materials_, bodies_, membranes_, rigid_, contacts_, more_}) {
     if (image_.reversed) std::reverse(tables.begin(), tables.end());
     for (const std::string& table : tables) all += table;
@@ -60,15 +62,14 @@ void RandomScene::draw_solver() {
   if (!enclosed_ && chance(0.3)) gravity = {uniform(-5, 5), uniform(-5, 5)};
   head_ = "gravity = " + vector(gravity) + "\n[solver]\ntransfer = \"" + transfer_ + "\"\n";
   if (transfer_ != "tpic") head_ += "blend_rate = " + number(pick<double>({0, 5, 50})) + "\n";
-  if ((basis_ == "bspline2" || basis_ == "linear") && chance(0.2))
-    head_ += "mass_matrix = \"" + with("consistent") + "\"\n";
+  if ((basis_ == "bspline2" || basis_ == "linear") && chance(0.2)) mass_matrix_ = with("consistent");
   if (chance(0.1))
     more_.push_back("[[stages]]\nname = \"first\"\nfrom = 0.0\ndamping_rate = " + number(uniform(1, 20)) + "\n"),
         with("stage");
   else if (chance(0.2))
     head_ += "damping_rate = " + number(uniform(1, 10)) + "\n";
   if (chance(0.3)) head_ += "courant = " + number(uniform(0.2, 0.7)) + "\n";
-  head_ += "[grid]\n" + box({0, 0}, upper_, false) + "spacing = " + number(h_) + "\nbasis = \"" + basis_ + "\"\n";
+  grid_ = "[grid]\n" + box({0, 0}, upper_, false) + "spacing = " + number(h_) + "\nbasis = \"" + basis_ + "\"\n";
 }
 
 void RandomScene::draw_walls() {
@@ -195,8 +196,6 @@ void RandomScene::draw_block(const std::string& name, const Pair& centre, double
   const bool bag = !periodic_ && chance(0.45), enclosed = enclosed_ && name == "block";
   const bool sharp = bag && !enclosed_ && immersed_ && basis_ == "bspline2" && transfer_ != "musl" && chance(0.5);
   if (name == "block") sharp_ = sharp;
-  if (const std::size_t mass = head_.find("\"consistent\""); sharp_ && mass != std::string::npos)
-    head_.replace(mass, 12, "\"consistent_at_membranes\"");
   Matter matter = draw_matter(name, enclosed);
   if (enclosed) matter.pressure = "enclosed";
   draw_body(name, enclosed || chance(0.4) ? draw_ellipse(centre, size) : draw_polygon(centre, size), matter);

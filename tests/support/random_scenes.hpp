@@ -110,7 +110,7 @@ class RandomScene {
   double h_ = 0.125;
   int steps_ = 0;
   Pair upper_{};  ///< of the domain before the image; the lower corner is the origin
-  std::string head_, walls_, zone_;
+  std::string head_, mass_matrix_, grid_, walls_, zone_;
   Tables materials_, bodies_, membranes_, rigid_, contacts_, more_;
   bool periodic_ = false, enclosed_ = false, sharp_ = false, immersed_ = false, sticks_ = false;
   std::string basis_, transfer_;

@@ -108,6 +108,11 @@ void check_transfer(const Scene& scene, Report& report) {
   const Basis basis = scene.grid.basis;
   if (is_simplex(basis) && scene.solver.transfer != Transfer::musl)
     report.add("solver.transfer", "an affine transfer on simplices, where it is unstable", "\"musl\"");
+}
+
+void check_mass_matrix(const Scene& scene, Report& report) {
+  if (!report.healthy("grid.basis") || !report.healthy("solver.mass_matrix")) return;
+  const Basis basis = scene.grid.basis;
   if (scene.solver.mass_matrix == MassMatrix::consistent && basis != Basis::bspline2 && basis != Basis::linear)
     report.add("solver.mass_matrix", "\"consistent\" on a basis whose lumping has no constant stencil",
                "\"lumped\", or grid.basis = \"bspline2\" or \"linear\"");
@@ -125,6 +130,7 @@ void check_grid(const Scene& scene, Report& report) {
   check_cells(scene, report);
   check_basis(scene, report);
   check_transfer(scene, report);
+  check_mass_matrix(scene, report);
 }
 
 /// Periodic walls come in pairs.
