@@ -47,9 +47,10 @@ double most_strained(const Body<Dim>& body, const auto& modulus_at) {
 }
 
 /// c_eff^2 of a body with the membranes of its field, without the water that flows through it [m2/s2]. Where no bound
-/// of the basis is known, waves and membranes in one sum.
+/// of the basis is known, waves and membranes in one sum. inverse_mass: what impulses move more than with lumped
+/// masses.
 template <int Dim>
-double speed_squared(const Body<Dim>& body, bool bounded, double membranes) {
+double speed_squared(const Body<Dim>& body, bool bounded, double membranes, double inverse_mass) {
   /// Share of K that counts where cells bear the mean stress of a solid. Light cells at the edges of a body swing
   /// together: a panel of nu = 0.4999 breaks with 1 / 6, and bears 0.18.
   constexpr double solid_cells_to_particles = 1.0 / 3;
@@ -58,15 +59,15 @@ double speed_squared(const Body<Dim>& body, bool bounded, double membranes) {
     const auto waves = [&](const auto& F, double J) { return neo_hookean_wave_modulus<Dim>(*solid, F, J); };
     if (!bounded) return most_strained(body, waves) / density + membranes;
     const auto stiffest = [&](const auto& F, double J) { return neo_hookean_stiffest_mode<Dim>(*solid, F, J); };
-    return most_strained(body, stiffest) / density + stiffest_mode<Dim>({0, 0, membranes});
+    return inverse_mass * (most_strained(body, stiffest) / density + stiffest_mode<Dim>({0, 0, membranes}));
   }
   const ElasticModuli moduli = present_moduli(body);
   // Fluids keep the sum, too: splashing water bears no longer steps (docs/verification.md), and a bag of water at rest
-  // circulates more with them.
-  if (!bounded || moduli.shear == 0) return moduli.of_waves() / density + membranes;
+  // circulates more with them. Their cells swing with 1.1 c^2 / h^2, a fifth of what would be stable.
+  if (!bounded || moduli.shear == 0) return moduli.of_waves() / density + inverse_mass * membranes;
   const bool by_cells = body.pressure == PressureSupport::cell;
   const double bulk = moduli.bulk / density, of_cells = by_cells ? solid_cells_to_particles * bulk : 0;
-  return of_cells + stiffest_mode<Dim>({by_cells ? 0 : bulk, moduli.shear / density, membranes});
+  return inverse_mass * (of_cells + stiffest_mode<Dim>({by_cells ? 0 : bulk, moduli.shear / density, membranes}));
 }
 
 /// The largest [m2/s]. Eddies of a mixing length l mix with at most l sqrt(tau / rho), tau the shear stress of the step

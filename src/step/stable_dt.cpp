@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <geodrop/base/error.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
 
 #include "contact/contact_limits.hpp"
 #include "grid/body_limits.hpp"
@@ -35,12 +36,21 @@ template <int Dim>
                              state.t, first));
 }
 
+/// By velocity field: I + (I - D^-1 M) has eigenvalues up to 2, as those of D^-1 M are 0 to 1 (mass_at_membranes).
+std::vector<double> inverse_masses(const Scene& scene) {
+  const bool corrected = scene.solver.mass_matrix == MassMatrix::consistent_at_membranes;
+  std::vector<double> most(count_velocity_fields(scene), corrected ? 2.0 : 1.0);
+  for (const PoreSoil& soil : pore_soils(scene)) most[soil.field] = most[soil.water] = 1;
+  return most;
+}
+
 }  // namespace
 
 StepLimits::StepLimits(const Scene& scene)
     : courant(scene.solver.courant),
       end(scene.time.end),
-      bounded(scene.grid.basis == Basis::bspline2 && scene.solver.mass_matrix == MassMatrix::lumped),
+      bounded(scene.grid.basis == Basis::bspline2 && scene.solver.mass_matrix != MassMatrix::consistent),
+      inverse_mass(inverse_masses(scene)),
       pore_waves(geodrop::pore_waves(scene)) {}
 
 /// dt = C h / (c_eff + |v|max), c_eff^2 the largest of bodies, each with the membranes of its velocity field (in one
@@ -50,12 +60,16 @@ template <int Dim>
 double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLayout<Dim>& layout) {
   if (!std::isfinite(state.v_max)) throw_not_finite(state);
   const double h = layout.finest;
-  const double cloth = stiffest_membrane(state, h);  // also of a field without bodies
-  double c2 = limits.bounded ? stiffest_mode<Dim>({0, 0, cloth}) : cloth, nu = 0;
+  double c2 = 0, nu = 0;
+  for (const Membrane<Dim>& membrane : state.membranes) {  // also of a field without bodies
+    const double cloth = limits.inverse_mass[membrane.field] * membrane_speed_squared(state, membrane, h);
+    c2 = std::max(c2, limits.bounded ? stiffest_mode<Dim>({0, 0, cloth}) : cloth);
+  }
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];
     const double membranes = stiffest_membrane(state, h, body.field);
-    c2 = std::max(c2, explicit_waves(limits.pore_waves, b, state) + speed_squared(body, limits.bounded, membranes));
+    const double waves = speed_squared(body, limits.bounded, membranes, limits.inverse_mass[body.field]);
+    c2 = std::max(c2, explicit_waves(limits.pore_waves, b, state) + waves);
     nu = std::max(nu, viscosity_in(body));
   }
   double dt = limits.courant * h / (std::sqrt(c2) + std::max(state.v_max, surface_speed(state)));

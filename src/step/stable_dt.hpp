@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <vector>
 
 #include "pores/pore_soils.hpp"
 
@@ -16,6 +17,7 @@ struct StepLimits {
   double courant;                               ///< [-]
   double end;                                   ///< of the simulated time [s]
   bool bounded;                                 ///< whether particles cannot swing faster than stiffest_mode.hpp says
+  std::vector<double> inverse_mass;             ///< by velocity field, the most, over that of lumped masses [-]
   std::map<std::size_t, PoreWaves> pore_waves;  ///< by body
 
   explicit StepLimits(const Scene& scene);

@@ -1,6 +1,7 @@
 // The time step in closed form for each thing that limits it, and its two ways of failing.
 #include <doctest/doctest.h>
 #include <geodrop/base/error.hpp>
+#include <geodrop/scene/velocity_fields.hpp>
 #include <geodrop/step/pipeline.hpp>
 
 #include <cmath>
@@ -88,6 +89,40 @@ TEST_CASE("Without the bound of splines and lumped masses, waves and membranes a
   CHECK(each.dt() > 1.3 * dt);
   each.scene.grid.basis = Basis::gimp;
   CHECK(each.dt() == near(dt, 1e-14));
+}
+
+TEST_CASE(
+    "The consistent mass beside membranes doubles the bound of the square of solids and membranes, not of fluids") {
+  Case each;
+  Membrane<2> membrane;
+  membrane.axial_stiffness = 1e6;
+  membrane.body = "bag";
+  each.state.membranes = {membrane};
+  each.state.bodies[0].name = "bag";
+  const auto consistent = [&] {
+    Case same = each;
+    same.scene.solver.mass_matrix = MassMatrix::consistent_at_membranes;
+    return same.dt();
+  };
+  const double cloth = 1e6 / (1000 * 0.2);
+  CHECK(each.dt() == near(0.1 / std::sqrt(2500 + cloth), 1e-14));
+  CHECK(consistent() == near(0.1 / std::sqrt(2500 + 2 * cloth), 1e-14));
+  each.state.bodies = {blank_body<2>(LinearElastic{2000, 6e6, 3e6}, 1)};
+  each.state.bodies[0].name = "bag";
+  CHECK(consistent() == near(each.dt() / std::sqrt(2.0), 1e-14));
+  each.state.membranes.clear();
+  CHECK(consistent() == near(each.dt() / std::sqrt(2.0), 1e-14));
+}
+
+TEST_CASE("Bodies with water in their pores, and that water, keep the lumped mass and its limit") {
+  const Scene scene = read_scene(source_path("cases/verification/saturated_bag_rests.toml"),
+                                 {"solver.mass_matrix=consistent_at_membranes"});
+  const std::vector<int> fields = velocity_fields(scene);
+  const StepLimits limits(scene);
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    const bool around = scene.bodies[b].name == "water" || scene.bodies[b].name == "ground";
+    CHECK(limits.inverse_mass[fields[b]] == (around ? 2 : 1));
+  }
 }
 
 TEST_CASE("A membrane adds J / (rho h) of the body that it lies on to the stiffness along it") {
