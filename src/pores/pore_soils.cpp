@@ -23,20 +23,16 @@ double PoreSoil::inertial_resistance(double n) const {
 
 std::vector<PoreSoil> pore_soils(const Scene& scene) {
   const std::vector<int> fields = velocity_fields(scene);
-  const auto number = [&](const std::string& name) {
-    return static_cast<int>(std::find_if(scene.bodies.begin(), scene.bodies.end(),
-                                         [&](const BodySpec& body) { return body.name == name; }) -
-                            scene.bodies.begin());
-  };
+  const auto number = [&](const BodySpec& body) { return static_cast<int>(&body - scene.bodies.data()); };
   std::vector<PoreSoil> soils;
   for (const BodySpec& body : scene.bodies) {
     if (body.saturated_by.empty()) continue;
     const auto& soil = std::get<MohrCoulombSpec>(find_material(scene, body.material)->model);
-    const int water = number(body.saturated_by);
+    const BodySpec& water = *find_body(scene, body.saturated_by);
     const CoupledSpec& pores = *soil.coupled();
-    soils.push_back({number(body.name), fields[number(body.name)], fields[water], soil.density / (1 - pores.porosity),
-                     pores.porosity, pores.hydraulic_conductivity, pores.permeability,
-                     water_unit_weight(scene, scene.bodies[water]), pores.forchheimer_coefficient});
+    soils.push_back({number(body), fields[number(body)], fields[number(water)], soil.density / (1 - pores.porosity),
+                     pores.porosity, pores.hydraulic_conductivity, pores.permeability, water_unit_weight(scene, water),
+                     pores.forchheimer_coefficient});
   }
   return soils;
 }

@@ -59,7 +59,7 @@ initial_stress = { type = "fluid_pressure", fluid = "water", surface = 6.0, effe
       key("pressure", &BodySpec::pressure, {{"cell", PressureSupport::cell}, {"particle", PressureSupport::particle}, {"nodal", PressureSupport::nodal}, {"enclosed", PressureSupport::enclosed}}, standard("\"cell\""), "where the mean stress acts from: the average of the cell (not on tri3, tet4), each particle, (only on tri3, tet4) the average at the nodes, or, for a fluid that fills a closed membrane (bspline2; in space all bodies then), the average of cells that the membrane cuts exactly"),
       key("layers", &BodySpec::layers, "", standard("1"), bands, "horizontal bands that colour the picture"),
       key("implicit_pore_pressure", &BodySpec::implicit_pore_pressure, standard("false"), "pore pressure of undrained soil, or of the water that saturates a coupled one, at the end of the step (implicit Euler): the time step follows the skeleton alone, however stiff the water in the pores is"),
-      key("shift", &BodySpec::shift, standard("false"), "move particles out of clumps and into voids, and apart where they are closer than their size (fluids only)"),
+      key("shift", &BodySpec::shift, standard("false"), "move particles out of clumps and into voids, and apart where they are closer than their size (fluids only); a fluid that flows past a sharp membrane by more than its width needs it (docs/verification.md)"),
       key("shift_speed", &BodySpec::shift_speed, "m/s", standard("0.0"), not_negative, "v0, shifting of a particle at rest; with it fluids keep their volume where they splash (docs/step.md, crowding)"),
   }};
 }
