@@ -62,13 +62,13 @@ double stable_dt(const StepLimits& limits, const State<Dim>& state, const GridLa
   const double h = layout.finest;
   double c2 = 0, nu = 0;
   for (const Membrane<Dim>& membrane : state.membranes) {  // also of a field without bodies
-    const double cloth = limits.inverse_mass[membrane.field] * membrane_speed_squared(state, membrane, h);
+    const double cloth = limits.inverse_mass_of(membrane.field) * membrane_speed_squared(state, membrane, h);
     c2 = std::max(c2, limits.bounded ? stiffest_mode<Dim>({0, 0, cloth}) : cloth);
   }
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<Dim>& body = state.bodies[b];
     const double membranes = stiffest_membrane(state, h, body.field);
-    const double waves = speed_squared(body, limits.bounded, membranes, limits.inverse_mass[body.field]);
+    const double waves = speed_squared(body, limits.bounded, membranes, limits.inverse_mass_of(body.field));
     c2 = std::max(c2, explicit_waves(limits.pore_waves, b, state) + waves);
     nu = std::max(nu, viscosity_in(body));
   }

@@ -21,6 +21,9 @@ struct StepLimits {
   std::map<std::size_t, PoreWaves> pore_waves;  ///< by body
 
   explicit StepLimits(const Scene& scene);
+
+  /// What waits for its stage has no field yet.
+  double inverse_mass_of(int field) const { return field == waiting ? 1.0 : inverse_mass[field]; }
 };
 
 /// Stable time step [s] of the present state; throws RunError if it collapses.

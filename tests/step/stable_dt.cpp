@@ -114,6 +114,20 @@ TEST_CASE(
   CHECK(consistent() == near(each.dt() / std::sqrt(2.0), 1e-14));
 }
 
+TEST_CASE("What waits for its stage limits the step as what is there") {
+  Case each;
+  each.state.bodies = {blank_body<2>(LinearElastic{2000, 6e6, 3e6}, 1)};
+  const double there = each.dt();
+  Membrane<2> membrane;
+  membrane.axial_stiffness = 1;
+  membrane.body = each.state.bodies[0].name = "bag";
+  each.state.membranes = {membrane};
+  each.state.bodies[0].field = each.state.membranes[0].field = waiting;
+  CHECK(each.dt() == near(there, 1e-5));
+  each.scene.solver.mass_matrix = MassMatrix::consistent_at_membranes;
+  CHECK(each.dt() == near(there, 1e-5));
+}
+
 TEST_CASE("Bodies with water in their pores, and that water, keep the lumped mass and its limit") {
   const Scene scene = read_scene(source_path("cases/verification/saturated_bag_rests.toml"),
                                  {"solver.mass_matrix=consistent_at_membranes"});
