@@ -52,9 +52,9 @@ void paint_opaque(std::string& pixels, std::size_t pixel, Colour colour) {
   pixels[4 * pixel + 3] = '\xff';
 }
 
-// Pixels whose centres lie beyond or before a place [px].
-int first_from(double at) { return static_cast<int>(std::ceil(std::max(at - 0.5, 0.0))); }
-int last_to(double at, int most) { return static_cast<int>(std::floor(std::min(at - 0.5, most - 1.0))); }
+// Pixels of `most` whose centres lie beyond or before a place [px], which may be far beyond what an int holds.
+int first_from(double at, int most) { return static_cast<int>(std::ceil(std::clamp(at - 0.5, 0.0, 1.0 * most))); }
+int last_to(double at, int most) { return static_cast<int>(std::floor(std::clamp(at - 0.5, -1.0, most - 1.0))); }
 
 }  // namespace
 
@@ -99,8 +99,8 @@ std::string draw_discs(const std::vector<Disc>& discs, const Window& window, Pix
     };
     // What has got out is seen as it is.
     const bool bounded = disc.within && (!centre_seen || (*disc.within)[pixel_at(x, y)]);
-    for (int j = first_from(y - far); j <= last_to(y + far, size.height); ++j)
-      for (int i = first_from(x - far); i <= last_to(x + far, size.width); ++i) {
+    for (int j = first_from(y - far, size.height); j <= last_to(y + far, size.height); ++j)
+      for (int i = first_from(x - far, size.width); i <= last_to(x + far, size.width); ++i) {
         const auto distance = static_cast<float>(std::hypot(i + 0.5 - x, j + 0.5 - y));
         const std::size_t pixel = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
         if (bounded && !(*disc.within)[pixel]) continue;
@@ -139,8 +139,8 @@ std::string draw_facets(const std::vector<Facet>& facets, const Window& window, 
     if (whole == 0) continue;  // seen edge on
     const auto [left, right] = std::ranges::minmax(x);
     const auto [low, high] = std::ranges::minmax(y);
-    for (int j = first_from(low); j <= last_to(high, size.height); ++j)
-      for (int i = first_from(left); i <= last_to(right, size.width); ++i) {
+    for (int j = first_from(low, size.height); j <= last_to(high, size.height); ++j)
+      for (int i = first_from(left, size.width); i <= last_to(right, size.width); ++i) {
         std::array<double, 3> share;  // of the corners
         for (std::size_t k = 0; k < 3; ++k) share[k] = twice_area((k + 1) % 3, (k + 2) % 3, i + 0.5, j + 0.5) / whole;
         if (std::ranges::min(share) < -rounding) continue;

@@ -49,6 +49,14 @@ TEST_CASE("A disc covers its area, and of two that overlap each has the half tha
   CHECK(lower_left[3] != 0);  // the lowest row comes first
 }
 
+TEST_CASE("A window far smaller than a particle, and far from it") {
+  for (const double width : {1e-8, 1e-12}) {
+    const Window window{{0, 0}, {width, width}};
+    CHECK(count(draw_discs({{{5, 5}, 2, red}}, window, {100, 100}), red) == 0);
+    CHECK(count(draw_discs({{{0, 0}, 2, red}}, window, {100, 100}), red) == 100 * 100);
+  }
+}
+
 TEST_CASE("Narrow gaps between rows of particles are closed, what is outside is not covered") {
   std::vector<Disc> rows;
   for (int i = 0; i <= 10; ++i)
