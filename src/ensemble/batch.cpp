@@ -82,7 +82,23 @@ Batch::Batch(BatchOptions options, const std::vector<std::vector<std::string>>& 
   }
 }
 
+void Batch::check_keys() const {
+  for (std::size_t k = 0; k < options_.keys.size(); ++k) {
+    const std::string& key = options_.keys[k];
+    const bool before = std::find(options_.keys.begin(), options_.keys.begin() + k, key) != options_.keys.begin() + k;
+    const bool set = std::ranges::any_of(options_.overrides,
+                                         [&](const std::string& setting) { return setting.starts_with(key + '='); });
+    if (before || set)
+      throw SceneError("--vary", {{{},
+                                   "",
+                                   '"' + key + (before ? "\" twice" : "\", which --set sets, too"),
+                                   "each key once",
+                                   ProblemSource::elsewhere}});
+  }
+}
+
 void Batch::check(const std::vector<std::vector<std::string>>& values) {
+  check_keys();
   for (const auto& each : values) {
     std::vector<std::string> overrides = options_.overrides;
     for (const std::string& setting : settings(options_.keys, each)) overrides.push_back(setting);

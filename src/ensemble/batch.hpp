@@ -57,6 +57,8 @@ class Batch {
   std::vector<double> column(std::size_t result) const;
 
  private:
+  /// Each key once, and none that is set for all.
+  void check_keys() const;
   void make(std::size_t i, std::atomic<pid_t>& process);
   void begin(Member& member);
   void write_manifest() const;

@@ -236,6 +236,8 @@ TEST_CASE("Mistakes of a sweep are told before the first run") {
   CHECK(contains(told({"--vary", "materials.soil.stifness=1.0:2.0:2"}), "stifness"));
   CHECK(contains(told({"--vary", stiffness + "8e6:9e6:2", "--case", "3"}), "1 to 2"));
   CHECK(contains(told({"--vary", stiffness + "8e6:9e6:2", "--sample", "3"}), "KEY=LOW:HIGH"));
+  CHECK(contains(told({"--vary", stiffness + "8e6:9e6:2", "--vary", stiffness + "7e6,6e6"}), "youngs_modulus\" twice"));
+  CHECK(contains(told({"--vary", stiffness + "8e6:9e6:2", "--set", stiffness + "7e6"}), "which --set sets, too"));
   fs::create_directories(output);
   std::ofstream(output / "letter.txt") << "dear";
   CHECK(contains(told({"--vary", stiffness + "8e6:9e6:2"}), "other files"));
