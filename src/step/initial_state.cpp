@@ -4,6 +4,7 @@
 #include <geodrop/reader/scene_reader.hpp>
 #include <geodrop/setup/setup.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/text.hpp"
@@ -15,6 +16,13 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& found, const std::string& allowed) {
   throw SceneError(file, {{{}, "start_from", found, allowed, ProblemSource::elsewhere}});
+}
+
+/// Whether something of the scene was in the run.
+bool shares_a_name(const auto& of_scene, const auto& of_run) {
+  return std::ranges::any_of(of_scene, [&](const auto& spec) {
+    return std::ranges::any_of(of_run, [&](const auto& part) { return part.name == spec.name; });
+  });
 }
 
 }  // namespace
@@ -38,6 +46,9 @@ State<Dim> initial_state(const Scene& scene) {
   const State<Dim>& end = found.checkpoint.state;
   const std::string fault = fault_in_state(before, initial_state<Dim>(before), end);
   if (!fault.empty()) refuse(directory, "a checkpoint with " + fault, "a state of the scene of that run");
+  const bool any = shares_a_name(scene.bodies, end.bodies) || shares_a_name(scene.membranes, end.membranes);
+  if (!any)
+    refuse(scene.file, "a run that has no body and no membrane of this scene", "a run with one of the same name");
   return build_state(scene, &end);
 }
 

@@ -80,6 +80,9 @@ TEST_CASE("What cannot be started from is refused in words") {
   CHECK_FALSE(std::filesystem::exists(none.file("")));
   const SceneRun first(tube, coarse({"time.end=0.01"}), one_thread);
   REQUIRE(first.outcome().code == 0);
+  const SceneRun stranger("cases/gravity_column.toml", {from(first)}, one_thread);
+  CHECK(stranger.outcome().code == 2);
+  CHECK(stranger.outcome().err.find("no body and no membrane of this scene") != std::string::npos);
   const SceneRun other(
       tube,
       coarse({from(first), "membranes.skin.closed=false", "membranes.skin.points=[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]",
