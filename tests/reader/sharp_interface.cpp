@@ -69,8 +69,22 @@ TEST_CASE("In space: a body inside, pressures of cells") {
   check({membrane + "drag_coefficient=1.2"}, membrane + "drag_coefficient");
 }
 
+TEST_CASE("A sharp membrane goes all around its body, once") {
+  const std::string block = source_path("cases/verification/floating_block.toml");
+  const auto told = [&](const std::string& points) { return scene_error(block, {"membranes.skin.points=" + points}); };
+  CHECK(told("[[-1.0,0.8],[1.0,0.8],[1.0,1.8],[-1.0,1.8]]").empty());
+  CHECK(told("[[-1.0,1.8],[1.0,1.8],[1.0,0.8],[-1.0,0.8]]").empty());
+  CHECK(told("[[-1.0,0.8],[1.0,0.8],[1.0,1.8]]").find("a line around 1 m2 of \"block\", which has 2") !=
+        std::string::npos);
+  CHECK(told("[[-1.0,0.8],[1.0,1.8],[1.0,0.8],[-1.0,1.8]]").find("a line that crosses itself") != std::string::npos);
+  CHECK(told("[[-1.0,0.8],[1.0,0.8],[0.0,0.8]]").find("a line around 0 m2") != std::string::npos);
+}
+
 TEST_CASE("A bed is a body that is there, and friction is on a bed") {
   check_refused({"membranes.geotextile.bed=bad"}, "membranes.geotextile.bed: found \"bad\"");
+  check_refused({"membranes.geotextile.bed=water"}, "membranes.geotextile.bed: found \"water\", which is a fluid");
+  check_refused({"membranes.geotextile.bed=container"},
+                "membranes.geotextile.bed: found \"container\", which is inside");
   check_refused({"membranes.geotextile.bed=\"\""}, "membranes.geotextile.bed_friction: found 0.5 without a bed");
   check_refused({"membranes.geotextile.interface=mixture"}, "membranes.geotextile.bed");
 }

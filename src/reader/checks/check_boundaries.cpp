@@ -55,6 +55,26 @@ void check_body(const BodySpec& body, const MaterialSpec& material, const std::s
                "a body whose initial stress is \"zero\", \"k0\" or \"fluid_pressure\"");
 }
 
+/// Whether a part of the second line, longer than a hundredth, lies on the first.
+bool overlap(const ViscousBoundarySpec& first, const ViscousBoundarySpec& second, double cell) {
+  constexpr int places = 100;
+  const double along = distance(first.from, first.to);
+  for (int k = 0; k < places; ++k) {
+    const Point x = between(second.from, second.to, (k + 0.5) / places);
+    if (distance(first.from, x) + distance(x, first.to) < along + 1e-6 * cell) return true;
+  }
+  return false;
+}
+
+/// Where two act the ground would be held by both.
+void check_apart(const Scene& scene, std::size_t i, const std::string& key, double cell, Report& report) {
+  const ViscousBoundarySpec& boundary = scene.viscous_boundaries[i];
+  for (std::size_t k = 0; k < i; ++k)
+    if (scene.viscous_boundaries[k].body == boundary.body && overlap(scene.viscous_boundaries[k], boundary, cell))
+      report.add(key + ".from", "a line that lies on \"" + scene.viscous_boundaries[k].name + "\" in part",
+                 "one viscous boundary for each part of an edge");
+}
+
 }  // namespace
 
 void check_viscous_boundaries(const Scene& scene, Report& report) {
@@ -74,6 +94,7 @@ void check_viscous_boundaries(const Scene& scene, Report& report) {
       continue;
     }
     const double cell = finest_spacing(scene.grid);
+    check_apart(scene, i, key, cell, report);
     if (check_edge(body, boundary, cell, key, report))
       check_beyond(scene, *outward_normal(body.shape, boundary.from, boundary.to, cell / 4), boundary, key, report);
   }

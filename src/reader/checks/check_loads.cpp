@@ -15,6 +15,10 @@ void check_still_fluids(const Scene& scene, Report& report) {
     if (check_reference(key + ".membrane", still.membrane, names_of(scene.membranes), "membranes", report) &&
         !find_named(scene.membranes, still.membrane).closed)
       report.add(key + ".membrane", '"' + still.membrane + "\", which is open", "a closed membrane");
+    for (std::size_t k = 0; k < i; ++k)
+      if (scene.still_fluids[k].membrane == still.membrane && scene.still_fluids[k].side == still.side)
+        report.add(key + ".membrane", '"' + still.membrane + "\" with a second still fluid on the same side",
+                   "one still fluid for each side of a membrane");
     const auto sideways = [&] {
       return std::any_of(scene.gravity.begin(), scene.gravity.end() - 1, [](double g) { return g != 0; });
     };

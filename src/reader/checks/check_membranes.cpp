@@ -20,7 +20,23 @@ void check_count(const MembraneSpec& membrane, const std::string& key, Report& r
     report.add(key + ".points", found, "at least 2 points of a membrane with closed = false");
   if (membrane.closed && count > 0 && count < 3)
     report.add(key + ".points", found, "none (the whole outline) or at least 3 points of a closed membrane");
-  check_legs(membrane.points, membrane.closed ? Ends::closed : Ends::open, key + ".points", report);
+  const Ends ends = membrane.closed ? Ends::closed : Ends::open;
+  check_legs(membrane.points, ends, key + ".points", report);
+  if (count > 2 && crosses_itself(membrane.points, ends))
+    report.add(key + ".points", "a line that crosses itself", "points in the order in which the line passes them");
+}
+
+/// A sharp membrane parts its body from what is around: all of the body is inside.
+void check_encloses(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const BodySpec* body = find_body(scene, membrane.body);
+  if (membrane.interface != Interface::sharp || !membrane.closed || membrane.points.size() < 3) return;
+  if (!body || !shape_is_sound(body->shape) || std::holds_alternative<HalfPlaneShape>(body->shape)) return;
+  constexpr double most = 0.1;  // of the body: what chords leave of an arc is less
+  const double whole = area(body->shape), inside = area(PolygonShape{membrane.points});
+  if (std::abs(inside - whole) <= most * whole) return;
+  report.add(key + ".points",
+             "a line around " + to_text(inside) + " m2 of \"" + body->name + "\", which has " + to_text(whole),
+             "points along the whole outline, or none, with interface = \"sharp\"");
 }
 
 void check_on_outline(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
@@ -59,6 +75,14 @@ void check_contents(const Scene& scene, const MembraneSpec& membrane, const std:
                "0 or inf where a fluid is inside, which has no effective pressure");
 }
 
+void check_is_bed(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
+  const std::string found = '"' + membrane.bed + '"';
+  if (membrane.bed == body_inside(scene, membrane) || membrane.bed == membrane.body)
+    report.add(key + ".bed", found + ", which is inside", "a body outside of the membrane");
+  else if (fluid_of(scene, *find_body(scene, membrane.bed)))
+    report.add(key + ".bed", found + ", which is a fluid", "a body of soil or of an elastic solid");
+}
+
 /// Friction needs a bed, and a bed a membrane that slips on it.
 void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
   if (!report.healthy(key + ".interface") || !report.healthy(key + ".bed_friction")) return;
@@ -68,8 +92,8 @@ void check_bed(const Scene& scene, const MembraneSpec& membrane, const std::stri
   if (membrane.interface != Interface::sharp)
     report.add(key + ".bed", '"' + membrane.bed + "\" of a membrane that sticks to what is around",
                "bed with interface = \"sharp\" only");
-  else
-    check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report);
+  else if (check_reference(key + ".bed", membrane.bed, names_of(scene.bodies), "bodies", report))
+    check_is_bed(scene, membrane, key, report);
 }
 
 /// Where eddies mix, the layer that sticks is far thinner than a cell: a cell of water would be glued to the membrane
@@ -230,6 +254,7 @@ void check_membranes(const Scene& scene, Report& report) {
     check_strength(membrane, key, report);
     if (!known || !report.healthy("grid")) continue;
     check_on_outline(scene, membrane, key, report);
+    check_encloses(scene, membrane, key, report);
     check_contents(scene, membrane, key, report);
     check_bed(scene, membrane, key, report);
     check_permittivity(scene, membrane, key, report);
