@@ -53,7 +53,8 @@ Json json_of(const Effort& effort) {
           {"steps", whole(effort.steps)},
           {"wall_s", effort.seconds},
           {"memory_bytes", whole(effort.memory_bytes)},
-          {"output_bytes", whole(effort.output_bytes)}};
+          {"output_bytes", whole(effort.output_bytes)},
+          {"failure", effort.failure.empty() ? Json() : Json(effort.failure)}};
 }
 
 Json json_of(const Fact& fact) {

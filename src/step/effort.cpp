@@ -63,8 +63,9 @@ Effort estimate_effort(const Scene& scene, int threads) {
       try_steps<2>(scene, effort);
     else
       try_steps<3>(scene, effort);
-  } catch (const RunError&) {
+  } catch (const RunError& error) {
     effort.seconds = std::numeric_limits<double>::quiet_NaN();
+    effort.failure = error.what();
   }
   effort.steps = in_digits(effort.steps);
   effort.seconds = in_digits(effort.seconds);
@@ -74,6 +75,7 @@ Effort estimate_effort(const Scene& scene, int threads) {
 }
 
 std::string effort_in_words(const Effort& effort) {
+  if (!effort.failure.empty()) return "its first steps break: " + effort.failure;
   return format_number(effort.particles) + " particles, about " + format_number(effort.steps) + " steps, " +
          format_duration(effort.seconds) + " on this machine as busy as it is, " + in_bytes(effort.memory_bytes) +
          " of memory, " + in_bytes(effort.output_bytes) + " of frames";

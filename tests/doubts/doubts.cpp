@@ -238,6 +238,9 @@ TEST_CASE("The effort of a run comes from a trial; check tells doubts and effort
   CHECK(contains(check.out, "no mistakes found; 1 body, 0 membranes\n"));
   CHECK(contains(check.out, "a run: 640 particles"));
   CHECK(contains(effort_in_words({.particles = 640, .steps = 15700}), "about 15700 steps"));
+  const Outcome broken =
+      run_program({"check", source_path("cases/gravity_column.toml"), "--set", "gravity=[0.0,-1e9]"});
+  CHECK(contains(broken.out, "a run: its first steps break: "));
   const SceneRun run("cases/dump_kekerdom_mixture.toml",
                      {"grid.spacing=0.5", "time.end=0.01", "membranes.geotextile.strength=120.0"});
   CHECK(contains(run.summary(), "membranes.geotextile.strength = 120 N/m is unusual"));
