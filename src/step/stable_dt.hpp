@@ -23,7 +23,10 @@ struct StepLimits {
   explicit StepLimits(const Scene& scene);
 
   /// What waits for its stage has no field yet.
-  double inverse_mass_of(int field) const { return field == waiting ? 1.0 : inverse_mass[field]; }
+  double inverse_mass_of(int field) const {
+    const auto number = static_cast<std::size_t>(field);
+    return number < inverse_mass.size() ? inverse_mass[number] : 1.0;
+  }
 };
 
 /// Stable time step [s] of the present state; throws RunError if it collapses.

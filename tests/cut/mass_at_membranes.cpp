@@ -141,14 +141,12 @@ std::array<double, 2> energies(const std::string& path, const std::string& spaci
   correct_mass_at_membranes(run.state, run.grids);
   std::array<double, 2> out{};
   for (std::size_t f = 0; f < run.grids.size(); ++f)
-    for_each_active_real_row(run.grids[f], [&](int begin, int count, const auto&) {
-      for (int node = begin; node < begin + count; ++node)
-        for (int a = 0; a < Dim; ++a) {
-          const double mass = run.grids[f].sum[node][3], was = before[f].velocity_change[node][a];
-          out[0] += mass * was * was;
-          out[1] += mass * was * run.grids[f].velocity_change[node][a];
-        }
-    });
+    for (int node = 0; node < run.grids[f].layout.nodes(); ++node)
+      for (int a = 0; a < Dim && run.grids[f].sum[node][3] > 0; ++a) {
+        const double mass = run.grids[f].sum[node][3], was = before[f].velocity_change[node][a];
+        out[0] += mass * was * was;
+        out[1] += mass * was * run.grids[f].velocity_change[node][a];
+      }
   return out;
 }
 

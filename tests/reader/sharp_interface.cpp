@@ -82,7 +82,6 @@ TEST_CASE("A sharp membrane goes all around its body, once") {
 
 TEST_CASE("A bed is a body that is there, and friction is on a bed") {
   check_refused({"membranes.geotextile.bed=bad"}, "membranes.geotextile.bed: found \"bad\"");
-  check_refused({"membranes.geotextile.bed=water"}, "membranes.geotextile.bed: found \"water\", which is a fluid");
   check_refused({"membranes.geotextile.bed=container"},
                 "membranes.geotextile.bed: found \"container\", which is inside");
   check_refused({"membranes.geotextile.bed=\"\""}, "membranes.geotextile.bed_friction: found 0.5 without a bed");

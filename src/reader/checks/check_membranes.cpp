@@ -76,11 +76,8 @@ void check_contents(const Scene& scene, const MembraneSpec& membrane, const std:
 }
 
 void check_is_bed(const Scene& scene, const MembraneSpec& membrane, const std::string& key, Report& report) {
-  const std::string found = '"' + membrane.bed + '"';
   if (membrane.bed == body_inside(scene, membrane) || membrane.bed == membrane.body)
-    report.add(key + ".bed", found + ", which is inside", "a body outside of the membrane");
-  else if (fluid_of(scene, *find_body(scene, membrane.bed)))
-    report.add(key + ".bed", found + ", which is a fluid", "a body of soil or of an elastic solid");
+    report.add(key + ".bed", '"' + membrane.bed + "\", which is inside", "a body outside of the membrane");
 }
 
 /// Friction needs a bed, and a bed a membrane that slips on it.
