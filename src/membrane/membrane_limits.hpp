@@ -4,7 +4,6 @@
 #include <geodrop/state/state.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace geodrop {
 
@@ -29,13 +28,12 @@ double membrane_speed_squared(const State<Dim>& state, const Membrane<Dim>& memb
   }
 }
 
-/// Of the stiffest membrane of a velocity field, or of all.
+/// Of the stiffest membrane of a velocity field; 0 if it has none.
 template <int Dim>
-double stiffest_membrane(const State<Dim>& state, double h, std::optional<int> field = {}) {
+double stiffest_membrane(const State<Dim>& state, double h, int field) {
   double square = 0;
   for (const Membrane<Dim>& membrane : state.membranes)
-    if (membrane.field == field.value_or(membrane.field))
-      square = std::max(square, membrane_speed_squared(state, membrane, h));
+    if (membrane.field == field) square = std::max(square, membrane_speed_squared(state, membrane, h));
   return square;
 }
 
