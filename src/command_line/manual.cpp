@@ -84,7 +84,8 @@ std::string manual_page(const CLI::App& app, const std::string& version) {
       page += ".PP\n.nf\n\\&" + roff(examples) + "\n.fi\n";
   }
   return page +
-         ".SH EXIT STATUS\n0 done; 1 numerical failure, or an expectation not met; 2 usage or scene; 70 internal; 74 "
+         ".SH EXIT STATUS\n0 done; 1 numerical failure, an expectation not met, or no program that prints; 2 usage or "
+         "scene; 70 internal; 74 "
          "files "
          "that the disk does not take; 75 stopped with a checkpoint; 130 ended by a second Ctrl\\-C.\n"
          ".SH SEE ALSO\nThe pages of the documentation: tutorial, cookbook, scene.\n";

@@ -40,7 +40,10 @@ CLI::Validator steps() {
 
 void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
   add_scene_argument(command, scene)->required();
-  command.add_option("--set", overrides, "override a key of the scene, e.g. --set grid.spacing=0.125")
+  command
+      .add_option(
+          "--set", overrides,
+          "override a key of the scene, e.g. --set grid.spacing=0.125; several: --set a=1 b=2 or --set a=1 --set b=2")
       ->take_all()
       ->expected(1);
 }

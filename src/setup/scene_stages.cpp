@@ -1,9 +1,15 @@
 #include "scene_stages.hpp"
 
+#include <fmt/format.h>
+#include <geodrop/base/error.hpp>
 #include <geodrop/measure/measure.hpp>
 #include <geodrop/scene/velocity_fields.hpp>
 
 #include <algorithm>
+#include <map>
+
+#include "grid/neighbourhood.hpp"
+#include "scene/needs.hpp"
 
 namespace geodrop {
 namespace {
@@ -47,10 +53,34 @@ double damping_at(const StageSpec& stage, double t) {
   return stage.damping_rate * std::clamp((t - stage.from) / stage.damping_ramp, 0.0, 1.0);
 }
 
+/// The part of each cell that the particles of a body take [its volume].
+template <int Dim>
+std::map<int, double> cell_shares(const Body<Dim>& body, const GridLayout<Dim>& layout) {
+  std::map<int, double> shares;
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const std::array<int, Dim> cell = place_of_cell_at(layout, body.x, p);
+    double room = 1;
+    for (int a = 0; a < Dim; ++a) room *= layout.span_width(a, cell[a]) * layout.h;
+    shares[layout.index(cell)] += body.volume(p) / room;
+  }
+  return shares;
+}
+
+/// Cells that both take a part of, more than they have; at its rim a body may be a particle over its share.
+std::ptrdiff_t overfull(const std::map<int, double>& one, const std::map<int, double>& other) {
+  constexpr double least = 0.5, most = 1.5;
+  return std::ranges::count_if(one, [&](const auto& cell) {
+    const auto found = other.find(cell.first);
+    return found != other.end() && std::min(cell.second, found->second) > least && cell.second + found->second > most;
+  });
+}
+
 }  // namespace
 
 SceneStages::SceneStages(const Scene& scene)
-    : stages(scene.stages), fields(velocity_fields(scene)), gravity(scene.gravity) {}
+    : stages(scene.stages), fields(velocity_fields(scene)), gravity(scene.gravity) {
+  for (const BodySpec& body : scene.bodies) in_pores.push_back(saturates(scene, body.name));
+}
 
 template <int Dim>
 void enter_due_stages(const SceneStages& scene, State<Dim>& state) {
@@ -61,13 +91,34 @@ void enter_due_stages(const SceneStages& scene, State<Dim>& state) {
 }
 
 template <int Dim>
+void refuse_full_cells(const SceneStages& scene, std::size_t first, const State<Dim>& state,
+                       const GridLayout<Dim>& layout) {
+  for (std::size_t s = first; s < state.stages_entered; ++s) {
+    const StageSpec& stage = scene.stages[s];
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+      if (!is_listed(stage.places, state.bodies[i].name) || scene.in_pores[i]) continue;
+      const std::map<int, double> shares = cell_shares(state.bodies[i], layout);
+      for (std::size_t j = 0; j < state.bodies.size(); ++j) {
+        if (j == i || state.bodies[j].field == waiting || scene.in_pores[j]) continue;
+        if (const auto full = overfull(shares, cell_shares(state.bodies[j], layout)))
+          throw RunError(
+              fmt::format("stage \"{}\" at t = {:g} s places \"{}\" where \"{}\" is: {} cells have more in "
+                          "them than their room; place it elsewhere, or later",
+                          stage.name, state.t, state.bodies[i].name, state.bodies[j].name, full));
+      }
+    }
+  }
+}
+
+template <int Dim>
 void let_bodies_wait(const Scene& scene, State<Dim>& state) {
   for (const StageSpec& stage : scene.stages)
     for (const std::string& name : stage.places) set_field(name, waiting, state);
 }
 
-#define GEODROP_INSTANTIATE(D)                                      \
-  template void enter_due_stages<D>(const SceneStages&, State<D>&); \
+#define GEODROP_INSTANTIATE(D)                                                                                \
+  template void enter_due_stages<D>(const SceneStages&, State<D>&);                                           \
+  template void refuse_full_cells<D>(const SceneStages&, std::size_t, const State<D>&, const GridLayout<D>&); \
   template void let_bodies_wait<D>(const Scene&, State<D>&);
 GEODROP_INSTANTIATE(2)
 GEODROP_INSTANTIATE(3)

@@ -29,11 +29,14 @@ Row<Dim> stable_dt_row(const Scene& scene) {
 
 template <int Dim>
 Row<Dim> scene_stages_row(const Scene& scene) {
-  return {"scene_stages", Data::time,
+  return {"scene_stages", Data::time | Data::position | Data::mass | Data::volume_ratio,
           Data::bodies | Data::membranes | Data::rigid_bodies | Data::stage | Data::relaxation | Data::largest_motion |
               Data::tracers | Data::viscous_boundaries,
-          !scene.stages.empty(), [in_time = SceneStages(scene)](State<Dim>& s, const Grids<Dim>&, const StepContext&) {
+          !scene.stages.empty(),
+          [in_time = SceneStages(scene)](State<Dim>& s, const Grids<Dim>& f, const StepContext&) {
+            const std::uint64_t before = s.stages_entered;
             enter_due_stages(in_time, s);
+            if (s.stages_entered > before) refuse_full_cells(in_time, before, s, f.front().layout);
           }};
 }
 

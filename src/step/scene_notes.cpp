@@ -81,9 +81,9 @@ std::string denser_below(const Scene& scene, const BodySpec& body) {
   const double rise = still_fluid_pressure(scene, *still, box.lower.back()) / fluid->bulk_modulus;
   if (rise < little) return {};
   return fmt::format(
-      "\"{}\" is {:.2g} % denser at its lowest point than its density says: what sinks in it is too light; with a "
-      "still_level of \"{}\" it has that density at every depth",
-      body.name, 100 * rise, body.material);
+      "\"{}\" is {:.2g} % denser at its lowest point than its density says: what sinks in it is too light; with "
+      "materials.{}.still_level = {} it has that density at every depth",
+      body.name, 100 * rise, body.material, still->surface);
 }
 
 /// Soil inside a closed membrane that opens where the bag is shaken keeps that volume, and stretches the bag. It is no

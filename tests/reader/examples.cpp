@@ -20,6 +20,8 @@ toml::table scene_around(const Section& section) {
   std::vector<std::string> words{"new", directory / "around"};
   if (std::ranges::all_of(section.keys, [](const Key& key) { return key.dimension == 3; }))
     words.insert(words.end(), {"--from", "pillow_3d"});
+  if (section.heading == "[[still_fluids]]")  // around the bag of the starter scene is a body of water
+    words.insert(words.end(), {"--from", "geotube_submerged"});
   REQUIRE(test::run_program(words).code == 0);
   return toml::parse_file((directory / "around.toml").string());
 }

@@ -166,15 +166,14 @@ TEST_CASE("rigid bodies, contacts, still fluids and pumps as written") {
   CHECK(scene.anchors == std::vector<AnchorSpec>{{"nail", "mat", {1, 8}, HeldSpec{}, {}},
                                                  {"rope", "mat", {2, 8}, AnchorLineSpec{{2.5, 9.5}, 1e4, 1.5}, {}}});
   CHECK(scene.contacts == std::vector<ContactSpec>{{{"geotextile", "ground"}, 0.3, 0.5, 0.25, {}}});
-  CHECK(scene.still_fluids ==
-        std::vector<StillFluidSpec>{{"geotextile", "water", StillFluidSpec::Side::outside, 7, {}}});
+  CHECK(scene.still_fluids == std::vector<StillFluidSpec>{{"sleeve", "water", StillFluidSpec::Side::outside, 7, {}}});
   CHECK(scene.viscous_boundaries == std::vector<ViscousBoundarySpec>{{"edge", "wedge", {1, 8}, {3, 8}, 10, {}}});
   CHECK(scene.pumps == std::vector<PumpSpec>{{"sea", 0.1, 0.5, 1.5, {}}});
 }
 
 TEST_CASE("membranes, probes and results as written") {
   const Scene scene = read_scene(every_key);
-  REQUIRE(scene.membranes.size() == 3);
+  REQUIRE(scene.membranes.size() == 4);
   CHECK(scene.membranes[0].points.empty());
   CHECK(scene.membranes[0].axial_stiffness == 1e6);
   CHECK(scene.membranes[0].slack == 0.01);

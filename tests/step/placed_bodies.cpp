@@ -3,6 +3,7 @@
 #include "step/stable_dt.hpp"
 
 #include <doctest/doctest.h>
+#include <geodrop/base/error.hpp>
 #include <geodrop/files/checkpoint.hpp>
 #include <geodrop/measure/history.hpp>
 #include <geodrop/measure/measure.hpp>
@@ -13,6 +14,7 @@
 #include "files/snapshot.hpp"
 #include "support/near.hpp"
 #include "support/scene_files.hpp"
+#include "support/text.hpp"
 
 using namespace geodrop;
 using namespace geodrop::test;
@@ -159,6 +161,25 @@ TEST_CASE("A stage with a rate from the start is damping of the solver, bit for 
   plain.state.stages_entered = staged.state.stages_entered;
   plain.state.energy_budget.stages = staged.state.energy_budget.stages;
   CHECK(state_hash(staged.state) == state_hash(plain.state));
+}
+
+TEST_CASE("A run ends where a stage places a body that another one has moved into") {
+  const auto slab_at = [](const std::string& speed) {  // its upper side is where the block will be placed
+    return Run{block_on_slab({"gravity=[0.0,0.0]", "bodies.slab.shape={type='box',lower=[0.0,0.53],upper=[10.0,1.03]}",
+                              "bodies.slab.initial_velocity={type='uniform',value=[0.0," + speed + "]}",
+                              "stages=[{name='wait',from=0.0},{name='drop',from=0.1,places=['block']}]"})};
+  };
+  Run beside = slab_at("0.0"), into = slab_at("3.0");
+  beside.until(0.12);
+  CHECK(beside.state.bodies[block].field != waiting);
+  std::string message;
+  try {
+    into.until(0.12);
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+  CHECK(contains(message, "stage \"drop\" at t = 0.1"));
+  CHECK(contains(message, "places \"block\" where \"slab\" is: "));
 }
 
 TEST_CASE("Several stages that are due in one step are all entered, in order") {

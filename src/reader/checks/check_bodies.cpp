@@ -1,7 +1,10 @@
 // Checks of bodies: names, what they refer to, and what their material allows.
 #include "check_scene.hpp"
 
+#include <geodrop/geometry/shapes.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "measure/probes/probes.hpp"
@@ -50,6 +53,28 @@ void check_minus(const Scene& scene, const BodySpec& body, const std::string& ke
   }
 }
 
+/// What the density of a fluid has to differ by at the start, for the pressure that a still level leaves to it.
+void check_start_at_level(const Scene& scene, const BodySpec& body, const NewtonianSpec& fluid, Report& report) {
+  constexpr double most = 0.1;  // of its density
+  const std::string bodies_key = "bodies." + body.name;
+  if (!report.healthy(bodies_key) || !report.healthy("materials." + body.material) || !report.healthy("grid") ||
+      !shape_is_sound(body.shape))
+    return;
+  const auto* still = std::get_if<HydrostaticSpec>(&body.initial_stress);
+  if (!still && !std::holds_alternative<ZeroStressSpec>(body.initial_stress)) return;
+  const double level = *fluid.still_level, head = fluid.bulk_modulus / (fluid.density * -scene.gravity.back());
+  const Bounds box = bounds_within(body.shape, {scene.grid.lower, scene.grid.upper});
+  const double off = still ? std::abs(still->surface - level)
+                           : std::max(std::abs(level - box.lower.back()), std::abs(level - box.upper.back()));
+  if (off <= most * head) return;
+  report.add("materials." + body.material + ".still_level",
+             to_text(level) + (still ? ", with the surface of \"" + body.name + "\" at " + to_text(still->surface)
+                                     : ", with initial_stress \"zero\" of \"" + body.name + '"'),
+             (still ? "a level within " : "\"hydrostatic\", or no point of it further from the level than ") +
+                 to_text(most * head) + " m" + (still ? " of it" : "") +
+                 ", where the density at the start is 10 % off");
+}
+
 /// Where the pressure of a fluid may have a part that its density does not follow.
 void check_still_level(const Scene& scene, const BodySpec& body, Report& report) {
   const MaterialSpec* material = find_material(scene, body.material);
@@ -70,6 +95,7 @@ void check_still_level(const Scene& scene, const BodySpec& body, Report& report)
     refuse(" for \"" + body.name + "\", which a pump fills", "no still_level there");
   if (std::any_of(scene.exact.begin(), scene.exact.end(), is_this))
     refuse(" for \"" + body.name + "\", which follows an exact solution", "no still_level there");
+  check_start_at_level(scene, body, *fluid, report);
 }
 
 void check_shift(const Scene& scene, const BodySpec& body, const std::string& key, Report& report) {

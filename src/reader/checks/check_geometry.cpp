@@ -95,7 +95,7 @@ class PlacementCheck {
       if (!check_inside(i) || !check_not_empty(i) || !check_particles(i)) continue;
       for (std::size_t j = 0; j < i; ++j) {
         // One that is cut out of the other shares no point with it, however finely one looks.
-        if (is_ready(j) && !cuts(i, j) && !cuts(j, i) && !comes_later(i) && !comes_later(j) && !fills_pores(i, j) &&
+        if (is_ready(j) && !cuts(i, j) && !cuts(j, i) && arrival(i) == arrival(j) && !fills_pores(i, j) &&
             !fills_pores(j, i))
           check_overlap(i, j);
       }
@@ -118,11 +118,12 @@ class PlacementCheck {
     return true;
   }
 
-  /// A stage places body i: what is at its place now may be gone by then.
-  bool comes_later(std::size_t i) const {
-    return std::any_of(scene_.stages.begin(), scene_.stages.end(), [&](const StageSpec& stage) {
-      return std::find(stage.places.begin(), stage.places.end(), body(i).name) != stage.places.end();
+  /// When body i comes in [s]: what is at its place before may be gone by then, see refuse_full_cells.
+  double arrival(std::size_t i) const {
+    const auto stage = std::ranges::find_if(scene_.stages, [&](const StageSpec& one) {
+      return std::ranges::find(one.places, body(i).name) != one.places.end();
     });
+    return stage == scene_.stages.end() ? 0 : stage->from;
   }
 
   /// Body i has body j in its minus.

@@ -126,6 +126,17 @@ FootStress foot_stress(const BodyView& view, const K0StressSpec& k0, const MohrC
   return {(mixture - density(*fluid)) * g * depth, soil.undrained() || soil.coupled() ? 0 : pressure};
 }
 
+/// Soil under isotropic tension is torn from the first step on.
+void check_tension(const BodyView& view) {
+  const auto* uniform = std::get_if<UniformPressureSpec>(&view.body.initial_stress);
+  const MaterialSpec* material = view.material();
+  const auto* soil = uniform && material ? std::get_if<MohrCoulombSpec>(&material->model) : nullptr;
+  if (!soil || !view.report.healthy(view.stress()) || uniform->pressure >= -soil->tension_cutoff) return;
+  view.report.add(
+      view.stress() + ".pressure", to_text(uniform->pressure),
+      "at least -tension_cutoff of \"" + material->name + "\" = " + to_text(0 - soil->tension_cutoff) + " [Pa]");
+}
+
 /// Strength and stress grow in proportion to depth, cohesion does not: the foot of the body yields first.
 void check_yield(const BodyView& view) {
   const auto* k0 = std::get_if<K0StressSpec>(&view.body.initial_stress);
@@ -164,6 +175,7 @@ void check_initial_stress(const Scene& scene, Report& report) {
     check_still_fluid(view);
     check_pore_pressure(view);
     check_yield(view);
+    check_tension(view);
   }
 }
 

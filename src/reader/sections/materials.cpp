@@ -7,7 +7,7 @@ namespace geodrop {
 namespace {
 
 constexpr Range poisson{"> -1 and < 0.5", [](double x) { return x > -1 && x < 0.5; }};
-constexpr Range angle{">= 0 and < 90", [](double x) { return x >= 0 && x < 90; }};
+constexpr Range angle{">= 0 and <= 89", [](double x) { return x >= 0 && x <= 89; }};
 constexpr Range share_of_water{"> 0 and <= 1", [](double x) { return x > 0 && x <= 1; }};
 constexpr Range suction_range{">= 0; inf: any tension", [](double x) { return x >= 0; }, true};
 
