@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -125,6 +126,7 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
   std::vector<double> x, y;
   for (std::size_t i = 0; i < a.size(); ++i)
     if (std::isfinite(a[i]) && std::isfinite(b[i])) x.push_back(a[i]), y.push_back(b[i]);
+  if (x.size() < 3) return std::numeric_limits<double>::quiet_NaN();
   const Moments sums = moments_of(ranks_of(x), ranks_of(y));
   return sums.xx > 0 && sums.yy > 0 ? sums.xy / std::sqrt(sums.xx * sums.yy) : 0;
 }

@@ -52,7 +52,7 @@ struct Band {
 Band band_of(std::vector<double> values);
 
 /// Spearman's rank correlation of the pairs of which both are finite; equal values share their mean rank. 0 if either
-/// is the same everywhere.
+/// is the same everywhere, nan for fewer than three pairs.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace geodrop

@@ -9,19 +9,30 @@
 #include <geodrop/base/error.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace geodrop {
 namespace {
 
+/// The nearest column, or some that have the name in theirs.
+std::string column_advice(const CsvTable& table, const std::string& name) {
+  constexpr std::size_t most = 6;
+  const std::string nearest = nearest_name(name, table.names);
+  if (!nearest.empty()) return "a column of it; the nearest is \"" + nearest + '"';
+  std::vector<std::string> with;
+  std::ranges::copy_if(table.names, std::back_inserter(with),
+                       [&](const std::string& column) { return column.find(name) != std::string::npos; });
+  if (with.empty()) return "a column of it: its first line names them";
+  std::string text = "a column of it, as " + with.front();
+  for (std::size_t i = 1; i < std::min(with.size(), most); ++i) text += ", " + with[i];
+  return with.size() > most ? text + ", ..." : text;
+}
+
 const std::vector<double>& column_of(const CsvTable& table, const std::string& name) {
   if (table.has(name)) return table.column(name);
-  const std::string nearest = nearest_name(name, table.names);
-  throw SceneError(table.file,
-                   {{{},
-                     "--columns",
-                     "no column \"" + name + '"',
-                     nearest.empty() ? "a column of it" : "a column of it; the nearest is \"" + nearest + '"',
-                     ProblemSource::elsewhere}});
+  throw SceneError(
+      table.file,
+      {{{}, "--columns", "no column \"" + name + '"', column_advice(table, name), ProblemSource::elsewhere}});
 }
 
 /// "-" for numbers without unit.

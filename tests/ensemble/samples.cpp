@@ -85,5 +85,6 @@ TEST_CASE("Rank correlation: 1 for what rises together, however; by hand with ti
   // Ranks 0 1 2 3 and 0.5 0.5 2 3: 4.5 / sqrt(5 * 4.5).
   CHECK(rank_correlation({1, 2, 3, 4}, {7, 7, 8, 9}) == near(std::sqrt(0.9), 1e-14));
   const double none = std::numeric_limits<double>::quiet_NaN();
+  CHECK(std::isnan(rank_correlation({1, 2, 3}, {4, none, 5})));
   CHECK(rank_correlation({1, none, 2, 3}, {4, 0, 5, 6}) == near(1, 1e-14));
 }

@@ -67,6 +67,11 @@ TEST_CASE("Columns of two runs: a panel for each unit, a line for each run; a re
                    column_chart({{one}, {"bag.hight_m"}, "time_s", {}});
                  }),
                  "the nearest is \"bag.height_m\""));
+  const auto advice = [&](const std::string& column) {
+    return message_of([&] { column_chart({{one}, {column}, "time_s", {}}); });
+  };
+  CHECK(contains(advice("bag"), "a column of it, as bag.velocity_y_m_s, bag.height_m"));
+  CHECK(contains(advice("xyz"), "its first line names them"));
 }
 
 TEST_CASE("A result over one key, and over two with a curve for each value; only of runs that are done") {
