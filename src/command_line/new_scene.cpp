@@ -59,6 +59,7 @@ model = "newtonian"
 density = 1000.0
 sound_speed = 60.0  # about ten times the fastest motion; water has 1460 m/s
 viscosity = 8.9e-4
+still_level = 6.0  # of its surface; without it softened water is too dense below
 
 [materials.sand]
 model = "mohr_coulomb"

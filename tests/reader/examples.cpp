@@ -23,7 +23,10 @@ toml::table scene_around(const Section& section) {
   if (section.heading == "[[still_fluids]]")  // around the bag of the starter scene is a body of water
     words.insert(words.end(), {"--from", "geotube_submerged"});
   REQUIRE(test::run_program(words).code == 0);
-  return toml::parse_file((directory / "around.toml").string());
+  toml::table scene = toml::parse_file((directory / "around.toml").string());
+  if (section.heading == "[[pumps]]" || section.heading == "[[exact]]")  // not with a still level
+    scene["materials"]["water"].as_table()->erase("still_level");
+  return scene;
 }
 
 /// In the place of the one of its name, if there is one.
