@@ -32,7 +32,8 @@ constexpr std::pair<const char*, const char*> examples[] = {
     {"plot",
      "geodrop plot runs/dump_kekerdom\n"
      "geodrop plot runs/coarse runs/fine --columns container.velocity_y_m_s,geotextile.tension_gauge_N_m\n"
-     "geodrop plot runs/stiffness --over membranes.geotextile.axial_stiffness --result height_m"},
+     "geodrop plot runs/stiffness --over membranes.geotextile.axial_stiffness --result height_m\n"
+     "geodrop plot runs/dump_kekerdom_ensemble --outlines"},
     {"snapshot",
      "geodrop snapshot runs/dump_kekerdom --time 2.5\n"
      "geodrop snapshot runs/dump_kekerdom --field velocity --window=-4,4,-1,6 --membrane utilisation\n"

@@ -3,6 +3,7 @@
 #include <geodrop/base/error.hpp>
 
 #include "plot/column_chart.hpp"
+#include "plot/outlines_chart.hpp"
 #include "plot/run_charts.hpp"
 #include "plot/sweep_chart.hpp"
 #include "unfinished_runs.hpp"
@@ -34,19 +35,24 @@ int plot_sweep(const PlotArguments& arguments) {
   return 0;
 }
 
+std::vector<fs::path> paths(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+
 int plot_columns(const PlotArguments& arguments) {
-  const auto paths = [](const std::vector<std::string>& texts) {
-    return std::vector<fs::path>(texts.begin(), texts.end());
-  };
   draw(column_chart({paths(arguments.directories), arguments.columns, arguments.against, paths(arguments.references)}),
        picture_of(arguments, "columns"));
+  return 0;
+}
+
+int plot_outlines(const PlotArguments& arguments) {
+  draw(outlines_chart(paths(arguments.directories)), picture_of(arguments, "outlines"));
   return 0;
 }
 
 }  // namespace
 
 void add_plot_options(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("directory", arguments.directories, "run directories, or one of a sweep")->required();
+  command.add_option("directory", arguments.directories, "run directories, or one of a sweep or an ensemble")
+      ->required();
   auto* columns = command
                       .add_option("--columns", arguments.columns,
                                   "columns of history.csv, separated by commas; of all runs in one picture")
@@ -65,7 +71,12 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments) {
                    ->excludes(columns);
   auto* result = command.add_option("--result", arguments.result, "of a sweep: the result along y")->needs(over);
   over->needs(result);
-  command.add_option("--output", arguments.output, "with --columns or --over: the picture, .svg or .png")
+  command
+      .add_flag("--outlines", arguments.outlines,
+                "outlines of geotextiles at the ends of runs, or of all runs of a sweep or an ensemble, in one picture")
+      ->excludes(columns)
+      ->excludes(over);
+  command.add_option("--output", arguments.output, "with --columns, --over or --outlines: the picture, .svg or .png")
       ->check(CLI::Validator(
           [](const std::string& file) {
             const bool fits = file.ends_with(".svg") || file.ends_with(".png");
@@ -77,12 +88,13 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments) {
 
 int run_plot(const PlotArguments& arguments) {
   if (!arguments.over.empty()) return plot_sweep(arguments);
+  if (arguments.outlines) return plot_outlines(arguments);
   tell_unfinished_runs(arguments.directories);
   if (!arguments.columns.empty()) return plot_columns(arguments);
   if (!arguments.output.empty())
     throw SceneError("geodrop plot", {{{},
                                        "--output " + arguments.output,
-                                       "neither --columns nor --over",
+                                       "none of --columns, --over and --outlines",
                                        "one of them; without, the pictures of a run go to its directory",
                                        ProblemSource::elsewhere}});
   for (const fs::path directory : arguments.directories)

@@ -15,6 +15,7 @@ struct PlotArguments {
   std::vector<std::string> references;  ///< tables to compare columns with
   std::vector<std::string> over;        ///< keys of a sweep
   std::string result;                   ///< of a sweep
+  bool outlines = false;                ///< of membranes at the ends of runs, or of those of a sweep
   std::string output;                   ///< of a picture of columns or of a sweep
   std::string format = "svg";           ///< or png
 };
@@ -22,8 +23,8 @@ struct PlotArguments {
 void add_plot_options(CLI::App& command, PlotArguments& arguments);
 
 /// Writes the standard pictures of each run into its directory (history.svg, geotube_PROBE.svg, section_PROBE.svg); or
-/// columns.svg of chosen columns of all runs, or RESULT_over_KEY.svg of a sweep, into the first directory. Returns the
-/// exit code.
+/// columns.svg of chosen columns of all runs, outlines.svg of their ends, or RESULT_over_KEY.svg of a sweep, into the
+/// first directory. Returns the exit code.
 int run_plot(const PlotArguments& arguments);
 
 }  // namespace geodrop
